@@ -72,8 +72,8 @@ std::set<std::pair<std::size_t, std::size_t>> Touching::pairs(std::span<const Bo
     for (const Reach& shape : shapes_) {
         if (!isHere(states[shape.solid.body])) continue;
         Aabb box = aabbOf(shape.solid.shape.shape, poseIn(states[shape.solid.body]));
-        box.lower.array() -= skin / 2;
-        box.upper.array() += skin / 2;
+        box.lower -= Vec2::Constant(skin / 2);
+        box.upper += Vec2::Constant(skin / 2);
         present.push_back(&shape);
         boxes.push_back(box);
     }

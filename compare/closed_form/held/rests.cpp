@@ -36,7 +36,8 @@ public:
     explicit Balance(const std::vector<HeldBody>& bodies) : bodies_(bodies) {
         weights_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * bodies.size()));
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            weights_.segment<2>(static_cast<Eigen::Index>(3 * i)) = bodies[i].mass.mass * bodies[i].gravity;
+            weights_.segment<2>(static_cast<Eigen::Index>(3 * i)) =
+                Eigen::Vector2d(bodies[i].mass.mass * bodies[i].gravity);
             rowOf_[bodies[i].index] = static_cast<Eigen::Index>(3 * i);
         }
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <compare/lab/builtin/methods.h>
 
+#include <Eigen/Core>
+
 #include <plumb/integrate/adaptive_integrator.h>
 #include <plumb/integrate/fixed_step.h>
 
@@ -10,9 +12,7 @@ namespace {
 using FlatMotion = Eigen::Vector4d;
 
 FlatMotion flat(const Motion& motion) {
-    FlatMotion state;
-    state << motion.position, motion.velocity;
-    return state;
+    return {motion.position.x(), motion.position.y(), motion.velocity.x(), motion.velocity.y()};
 }
 
 Motion motionOf(const FlatMotion& state) {
@@ -22,9 +22,7 @@ Motion motionOf(const FlatMotion& state) {
 /// x' = v, v' = a(x).
 auto derivativeOf(const MotionProblem& problem) {
     return [&problem](double, const FlatMotion& state) -> FlatMotion {
-        FlatMotion slope;
-        slope << state.tail<2>(), problem.acceleration(state.head<2>());
-        return slope;
+        return flat({state.tail<2>(), problem.acceleration(state.head<2>())});
     };
 }
 

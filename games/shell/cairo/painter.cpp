@@ -95,12 +95,17 @@ Vec2 startOf(const Glyphs& glyphs, const TextStyle& style) {
     return {-x, y};
 }
 
+/// The nearest corner of a pixel.
+Vec2 rounded(const Vec2& place) {
+    return {std::round(place.x()), std::round(place.y())};
+}
+
 /// Puts the context's origin at the start of a text, with x along its line and pixels as units.
 void stand(cairo_t* context, const Standing& standing, const Vec2& start) {
     const Vec2 down = perp(standing.along);
     Vec2 origin = standing.at + start.x() * standing.along + start.y() * down;
     // Text at whole pixels is sharp.
-    if (standing.along.y() == 0) origin = {std::round(origin.x()), std::round(origin.y())};
+    if (standing.along.y() == 0) origin = rounded(origin);
     const cairo_matrix_t matrix = matrixOf({standing.along, down, origin});
     cairo_set_matrix(context, &matrix);
 }
@@ -143,7 +148,7 @@ void setClip(cairo_t* context, const Drawing& drawing, int clip) {
     cairo_reset_clip(context);
     if (clip < 0) return;
     const Clip& c = drawing.clips[static_cast<std::size_t>(clip)];
-    const Vec2 lower = c.corner.array().round(), upper = (c.corner + c.size).array().round();
+    const Vec2 lower = rounded(c.corner), upper = rounded(c.corner + c.size);
     cairo_identity_matrix(context);
     cairo_new_path(context);
     cairo_rectangle(context, lower.x(), lower.y(), upper.x() - lower.x(), upper.y() - lower.y());

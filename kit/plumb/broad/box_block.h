@@ -9,14 +9,14 @@ namespace plumb {
 
 /// A box in float, relative to some origin.
 struct Bounds {
-    float lowerX, lowerY, upperX, upperY;
+    float lowerX = 0, lowerY = 0, upperX = 0, upperY = 0;
 };
 
 /// Structure of arrays. A lane without a box is NaN, and so overlaps nothing.
 struct alignas(64) BoxBlock {
     static constexpr std::uint32_t width = 16;
     static constexpr std::size_t maxLevels = 8;  ///< of nested blocks, for 2^32 boxes
-    std::array<float, width> lowerX, lowerY, upperX, upperY;
+    std::array<float, width> lowerX = {}, lowerY = {}, upperX = {}, upperY = {};
 };
 
 /// Bit i tells whether the block's box i overlaps or touches a box. Without branches, so that compilers can vectorise

@@ -9,7 +9,7 @@ namespace plumb {
 
 /// Two boxes that overlap or touch, by their indices, a < b.
 struct Pair {
-    std::uint32_t a, b;
+    std::uint32_t a = 0, b = 0;
     friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 

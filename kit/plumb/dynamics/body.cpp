@@ -76,74 +76,79 @@ Contact contactOf(const WorldState& world, const ContactRecord& record) {
 }  // namespace
 
 BodyId BodyView::id() const {
-    return world_->bodies.idOf(index_);
+    return id_;
+}
+
+std::uint32_t BodyView::index() const {
+    requireBody(*world_, id_, "BodyId");
+    return id_.index;
 }
 
 BodyType BodyView::type() const {
-    return world_->bodies.record[index_].type;
+    return world_->bodies.record[index()].type;
 }
 
 Vec2 BodyView::position() const {
-    return world_->bodies.wrap.place(world_->bodies.origin(index_));
+    return world_->bodies.wrap.place(world_->bodies.origin(index()));
 }
 
 double BodyView::angle() const {
-    return world_->bodies.motion[index_].angle;
+    return world_->bodies.motion[index()].angle;
 }
 
 Transform BodyView::pose() const {
-    return {position(), world_->bodies.motion[index_].rotation};
+    return {position(), world_->bodies.motion[index()].rotation};
 }
 
 Vec2 BodyView::centerOfMass() const {
-    return world_->bodies.wrap.place(world_->bodies.motion[index_].center);
+    return world_->bodies.wrap.place(world_->bodies.motion[index()].center);
 }
 
 Vec2 BodyView::velocity() const {
-    return world_->bodies.motion[index_].velocity;
+    return world_->bodies.motion[index()].velocity;
 }
 
 double BodyView::angularVelocity() const {
-    return world_->bodies.motion[index_].angularVelocity;
+    return world_->bodies.motion[index()].angularVelocity;
 }
 
 double BodyView::mass() const {
-    return world_->bodies.record[index_].mass;
+    return world_->bodies.record[index()].mass;
 }
 
 double BodyView::inertia() const {
-    return world_->bodies.record[index_].inertia;
+    return world_->bodies.record[index()].inertia;
 }
 
 Vec2 BodyView::velocityAt(const Vec2& point) const {
     requireFinite(point, "BodyView.velocityAt: point");
-    const BodyMotion& motion = world_->bodies.motion[index_];
+    const BodyMotion& motion = world_->bodies.motion[index()];
     return plumb::velocityAt(motion, world_->bodies.near(point, motion.center));
 }
 
 double BodyView::gravityScale() const {
-    return world_->bodies.record[index_].gravityScale;
+    return world_->bodies.record[index()].gravityScale;
 }
 
 double BodyView::linearDamping() const {
-    return world_->bodies.record[index_].linearDamping;
+    return world_->bodies.record[index()].linearDamping;
 }
 
 double BodyView::angularDamping() const {
-    return world_->bodies.record[index_].angularDamping;
+    return world_->bodies.record[index()].angularDamping;
 }
 
 bool BodyView::enabled() const {
-    return world_->bodies.record[index_].enabled;
+    return world_->bodies.record[index()].enabled;
 }
 
 std::uint64_t BodyView::tag() const {
-    return world_->bodies.record[index_].tag;
+    return world_->bodies.record[index()].tag;
 }
 
 std::vector<ShapeId> BodyView::shapes() const {
     std::vector<ShapeId> shapes;
-    for (const ProxyId proxy : world_->bodies.links[index_].proxies) {
+    for (const ProxyId proxy : world_->bodies.links[index()].proxies) {
         const std::uint32_t number = world_->space[proxy].number;
         if (shapes.empty() || shapes.back().number != number) shapes.push_back({id(), number});
     }
@@ -152,23 +157,23 @@ std::vector<ShapeId> BodyView::shapes() const {
 
 std::vector<JointId> BodyView::joints() const {
     std::vector<JointId> joints;
-    for (const JointIndex joint : world_->bodies.links[index_].joints)
+    for (const JointIndex joint : world_->bodies.links[index()].joints)
         if (!world_->joints[joint].isHidden())
             joints.push_back({joint, world_->joints[joint].generation, world_->bodies.world});
     return joints;
 }
 
 bool BodyView::awake() const {
-    return world_->bodies.record[index_].awake;
+    return world_->bodies.record[index()].awake;
 }
 
 bool BodyView::quarantined() const {
-    return world_->bodies.record[index_].quarantined;
+    return world_->bodies.record[index()].quarantined;
 }
 
 std::vector<Contact> BodyView::contacts() const {
     std::vector<Contact> contacts;
-    forEachContact(world_->bodies, world_->contacts, index_, [&](ContactIndex index) {
+    forEachContact(world_->bodies, world_->contacts, index(), [&](ContactIndex index) {
         const ContactRecord& record = world_->contacts[index];
         if (record.touching) contacts.push_back(contactOf(*world_, record));
     });
@@ -177,70 +182,70 @@ std::vector<Contact> BodyView::contacts() const {
 
 void Body::setVelocity(const Vec2& velocity) {
     requireFinite(velocity, "Body.setVelocity: velocity");
-    requireMovable(*world_, index_, "Body.setVelocity: velocity", velocity);
-    world_->bodies.motion[index_].velocity = velocity;
-    velocityChanged(*world_, index_);
+    requireMovable(*world_, index(), "Body.setVelocity: velocity", velocity);
+    world_->bodies.motion[index()].velocity = velocity;
+    velocityChanged(*world_, index());
 }
 
 void Body::setAngularVelocity(double angularVelocity) {
     requireFinite(angularVelocity, "Body.setAngularVelocity: angularVelocity");
-    requireMovable(*world_, index_, "Body.setAngularVelocity: angularVelocity", angularVelocity);
-    if (world_->bodies.record[index_].fixedRotation && angularVelocity != 0)
+    requireMovable(*world_, index(), "Body.setAngularVelocity: angularVelocity", angularVelocity);
+    if (world_->bodies.record[index()].fixedRotation && angularVelocity != 0)
         refuse("Body.setAngularVelocity: angularVelocity",
                toText(angularVelocity) + " on a body of fixed rotation, not 0");
-    world_->bodies.motion[index_].angularVelocity = angularVelocity;
-    velocityChanged(*world_, index_);
+    world_->bodies.motion[index()].angularVelocity = angularVelocity;
+    velocityChanged(*world_, index());
 }
 
 void Body::setPose(const Vec2& position, double angle) {
     requireFinite(position, "Body.setPose: position");
     requireFinite(angle, "Body.setPose: angle");
-    for (const ProxyId proxy : world_->bodies.links[index_].proxies)
+    for (const ProxyId proxy : world_->bodies.links[index()].proxies)
         requireFit(*world_, world_->space[proxy].def.shape, {position, Rot::fromAngle(angle)}, "Body.setPose: angle");
-    wakeNeighbours(*world_, index_);
-    BodyMotion& motion = world_->bodies.motion[index_];
+    wakeNeighbours(*world_, index());
+    BodyMotion& motion = world_->bodies.motion[index()];
     const bool inRange = isInRange(motion);
     motion.angle = angle;
     motion.rotation = Rot::fromAngle(angle);
-    const Vec2 center = position + motion.rotation * world_->bodies.record[index_].localCenter;
+    const Vec2 center = position + motion.rotation * world_->bodies.record[index()].localCenter;
     motion.center = world_->bodies.near(world_->bodies.wrap.place(center), motion.center);
     // The body has left its neighbours; the space must find its pairs again, also with sleeping bodies at the new
     // position.
-    world_->bodies.rest(index_);
-    findPairsAgain(*world_, index_);
-    if (world_->jointEdits != nullptr) world_->jointEdits->followMove(*world_, index_);
+    world_->bodies.rest(index());
+    findPairsAgain(*world_, index());
+    if (world_->jointEdits != nullptr) world_->jointEdits->followMove(*world_, index());
     world_->joints.changed = world_->joints.changed || isInRange(motion) != inRange;
-    wakeIsland(*world_, index_);
+    wakeIsland(*world_, index());
 }
 
 void Body::applyForce(const Vec2& force) {
-    applyForce(force, world_->bodies.motion[index_].center);
+    applyForce(force, world_->bodies.motion[index()].center);
 }
 
 void Body::applyForce(const Vec2& force, const Vec2& at) {
     requireFinite(force, "Body.applyForce: force");
     requireFinite(at, "Body.applyForce: at");
-    requirePushable(*world_, index_, "Body.applyForce: force", force);
-    const Vec2& center = world_->bodies.motion[index_].center;
-    addForce(*world_, index_, force, cross(Vec2(world_->bodies.near(at, center) - center), force));
+    requirePushable(*world_, index(), "Body.applyForce: force", force);
+    const Vec2& center = world_->bodies.motion[index()].center;
+    addForce(*world_, index(), force, cross(Vec2(world_->bodies.near(at, center) - center), force));
 }
 
 void Body::applyTorque(double torque) {
     requireFinite(torque, "Body.applyTorque: torque");
-    requirePushable(*world_, index_, "Body.applyTorque: torque", torque);
-    addForce(*world_, index_, {0, 0}, torque);
+    requirePushable(*world_, index(), "Body.applyTorque: torque", torque);
+    addForce(*world_, index(), {0, 0}, torque);
 }
 
 void Body::applyImpulse(const Vec2& impulse) {
-    applyImpulse(impulse, world_->bodies.motion[index_].center);
+    applyImpulse(impulse, world_->bodies.motion[index()].center);
 }
 
 void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
     requireFinite(impulse, "Body.applyImpulse: impulse");
     requireFinite(at, "Body.applyImpulse: at");
-    requirePushable(*world_, index_, "Body.applyImpulse: impulse", impulse);
-    const BodyRecord& record = world_->bodies.record[index_];
-    BodyMotion& motion = world_->bodies.motion[index_];
+    requirePushable(*world_, index(), "Body.applyImpulse: impulse", impulse);
+    const BodyRecord& record = world_->bodies.record[index()];
+    BodyMotion& motion = world_->bodies.motion[index()];
     const Vec2 velocity = motion.velocity + impulse * record.inverseMass;
     const Vec2 arm = world_->bodies.near(at, motion.center) - motion.center;
     const double turn = record.inverseInertia > 0 ? cross(arm, impulse) * record.inverseInertia : 0.0;
@@ -248,27 +253,27 @@ void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
     requireFinite(turn, "Body.applyImpulse: impulse, for the angular velocity it would give");
     motion.velocity = velocity;
     motion.angularVelocity += turn;
-    wakeIsland(*world_, index_);
+    wakeIsland(*world_, index());
 }
 
 void Body::applyAngularImpulse(double impulse) {
     requireFinite(impulse, "Body.applyAngularImpulse: impulse");
-    requirePushable(*world_, index_, "Body.applyAngularImpulse: impulse", impulse);
-    const double inverse = world_->bodies.record[index_].inverseInertia;
+    requirePushable(*world_, index(), "Body.applyAngularImpulse: impulse", impulse);
+    const double inverse = world_->bodies.record[index()].inverseInertia;
     const double turn = inverse > 0 ? impulse * inverse : 0.0;
     requireFinite(turn, "Body.applyAngularImpulse: impulse, for the angular velocity it would give");
-    world_->bodies.motion[index_].angularVelocity += turn;
-    wakeIsland(*world_, index_);
+    world_->bodies.motion[index()].angularVelocity += turn;
+    wakeIsland(*world_, index());
 }
 
 void Body::moveTo(const Vec2& position, double angle, double dt) {
     requireFinite(position, "Body.moveTo: position");
     requireFinite(angle, "Body.moveTo: angle");
     requirePositive(dt, "Body.moveTo: dt");
-    const BodyRecord& record = world_->bodies.record[index_];
+    const BodyRecord& record = world_->bodies.record[index()];
     if (record.type != BodyType::Kinematic)
         refuse("Body.moveTo", "the body is not kinematic, but " + nameOf(record.type));
-    BodyMotion& motion = world_->bodies.motion[index_];
+    BodyMotion& motion = world_->bodies.motion[index()];
     const Vec2 target = world_->bodies.near(position + Rot::fromAngle(angle) * record.localCenter, motion.center);
     const Vec2 velocity = (target - motion.center) / dt;
     const double turn = (angle - motion.angle) / dt;
@@ -278,7 +283,7 @@ void Body::moveTo(const Vec2& position, double angle, double dt) {
         refuse("Body.moveTo: angle", toText(angle) + " to a body of fixed rotation, not " + toText(motion.angle));
     motion.velocity = velocity;
     motion.angularVelocity = turn;
-    velocityChanged(*world_, index_);
+    velocityChanged(*world_, index());
 }
 
 }  // namespace plumb

@@ -27,8 +27,8 @@ struct Contact {
     std::vector<ContactPoint> points;  ///< one or two
 };
 
-/// A read-only view of one body of a world. Valid as long as the body and its world exist; each call returns the
-/// present value.
+/// A read-only view of one body of a world, valid as long as the world exists; each call returns the present value, and
+/// throws std::invalid_argument once the body was removed.
 class BodyView {
 public:
     BodyId id() const;
@@ -57,9 +57,10 @@ public:
 
 protected:
     friend class World;
-    BodyView(WorldState& world, std::uint32_t index) : world_(&world), index_(index) {}
+    BodyView(WorldState& world, BodyId id) : world_(&world), id_(id) {}
+    std::uint32_t index() const;  ///< the slot; throws std::invalid_argument if it was removed
     WorldState* world_;
-    std::uint32_t index_;
+    BodyId id_;
 };
 
 /// A view that can also change the body, at any time between steps. Sleeping bodies that a change affects wake. Each

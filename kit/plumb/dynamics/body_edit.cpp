@@ -53,116 +53,116 @@ void wakeIfMoving(WorldState& world, BodyIndex body) {
 void Body::setType(BodyType type) {
     requireType(type, "Body.setType: type");
     WorldState& world = *world_;
-    BodyRecord& record = world.bodies.record[index_];
+    BodyRecord& record = world.bodies.record[index()];
     if (type == record.type) return;
-    if (type == BodyType::Dynamic) requireThicknessWhenDynamic(world, index_);
-    const Mass mass = type == BodyType::Dynamic ? massWhenDynamic(world, index_) : Mass{};
-    if (world.bodies.isDynamic(index_) && record.massGiven)
-        world.parkedMass[index_] = {record.mass, record.localCenter, record.inertia};
+    if (type == BodyType::Dynamic) requireThicknessWhenDynamic(world, index());
+    const Mass mass = type == BodyType::Dynamic ? massWhenDynamic(world, index()) : Mass{};
+    if (world.bodies.isDynamic(index()) && record.massGiven)
+        world.parkedMass[index()] = {record.mass, record.localCenter, record.inertia};
     const bool enabled = record.enabled;
-    wakeNeighbours(world, index_);
-    if (enabled) hideShapes(world, index_);
-    world.bodies.putToSleep(index_);
-    std::erase(world.bodies.kinematic, index_);
+    wakeNeighbours(world, index());
+    if (enabled) hideShapes(world, index());
+    world.bodies.putToSleep(index());
+    std::erase(world.bodies.kinematic, index());
     record.type = type;
-    if (type == BodyType::Kinematic) world.bodies.kinematic.push_back(index_);
-    changeMass(world, index_, mass);
-    fixShapes(world, index_);
-    BodyMotion& motion = world.bodies.motion[index_];
+    if (type == BodyType::Kinematic) world.bodies.kinematic.push_back(index());
+    changeMass(world, index(), mass);
+    fixShapes(world, index());
+    BodyMotion& motion = world.bodies.motion[index()];
     if (type == BodyType::Static) {
         motion.velocity.setZero();
         motion.angularVelocity = 0;
     }
-    world.bodies.rest(index_);
-    world.joints.noteEdits(world.bodies.links[index_].joints);
+    world.bodies.rest(index());
+    world.joints.noteEdits(world.bodies.links[index()].joints);
     if (!enabled) return;
-    showShapes(world, index_);
-    wakeIfMoving(world, index_);
-    wakeNeighbours(world, index_);
+    showShapes(world, index());
+    wakeIfMoving(world, index());
+    wakeNeighbours(world, index());
 }
 
 void Body::setMass(const Mass& mass) {
-    requireDynamic(*world_, index_, "Body.setMass");
+    requireDynamic(*world_, index(), "Body.setMass");
     requireMass(mass, "Body.setMass: mass");
-    world_->bodies.record[index_].massGiven = true;
-    giveMass(*world_, index_, mass);
-    wakeIsland(*world_, index_);
+    world_->bodies.record[index()].massGiven = true;
+    giveMass(*world_, index(), mass);
+    wakeIsland(*world_, index());
 }
 
 void Body::setMassFromShapes() {
-    requireDynamic(*world_, index_, "Body.setMassFromShapes");
-    const Mass mass = massOfShapes(*world_, index_);
+    requireDynamic(*world_, index(), "Body.setMassFromShapes");
+    const Mass mass = massOfShapes(*world_, index());
     requireMass(mass, "Body.setMassFromShapes: the shapes'", "they have no area or no density");
-    world_->bodies.record[index_].massGiven = false;
-    giveMass(*world_, index_, mass);
-    wakeIsland(*world_, index_);
+    world_->bodies.record[index()].massGiven = false;
+    giveMass(*world_, index(), mass);
+    wakeIsland(*world_, index());
 }
 
 void Body::setGravityScale(double scale) {
     requireFinite(scale, "Body.setGravityScale: scale");
-    world_->bodies.record[index_].gravityScale = scale;
-    wakeIsland(*world_, index_);
+    world_->bodies.record[index()].gravityScale = scale;
+    wakeIsland(*world_, index());
 }
 
 void Body::setLinearDamping(double damping) {
     requireNotNegative(damping, "Body.setLinearDamping: damping");
-    world_->bodies.record[index_].linearDamping = damping;
+    world_->bodies.record[index()].linearDamping = damping;
 }
 
 void Body::setAngularDamping(double damping) {
     requireNotNegative(damping, "Body.setAngularDamping: damping");
-    world_->bodies.record[index_].angularDamping = damping;
+    world_->bodies.record[index()].angularDamping = damping;
 }
 
 void Body::setFixedRotation(bool fixed) {
-    BodyRecord& record = world_->bodies.record[index_];
+    BodyRecord& record = world_->bodies.record[index()];
     if (fixed == record.fixedRotation) return;
     record.fixedRotation = fixed;
-    BodyMotion& motion = world_->bodies.motion[index_];
+    BodyMotion& motion = world_->bodies.motion[index()];
     if (fixed) motion.angularVelocity = 0;
-    giveMass(*world_, index_, {record.mass, record.localCenter, record.inertia});
+    giveMass(*world_, index(), {record.mass, record.localCenter, record.inertia});
     if (record.type == BodyType::Kinematic && motion.velocity.isZero(0) && motion.angularVelocity == 0)
-        sleepIsland(*world_, index_);
-    wakeIsland(*world_, index_);
-    wakeNeighbours(*world_, index_);
+        sleepIsland(*world_, index());
+    wakeIsland(*world_, index());
+    wakeNeighbours(*world_, index());
 }
 
 void Body::setLocks(bool lockX, bool lockY) {
-    lockBody(*world_, index_, lockX, lockY);
+    lockBody(*world_, index(), lockX, lockY);
 }
 
 void Body::setCanSleep(bool canSleep) {
-    world_->bodies.record[index_].canSleep = canSleep;
-    if (!canSleep) wakeIsland(*world_, index_);
+    world_->bodies.record[index()].canSleep = canSleep;
+    if (!canSleep) wakeIsland(*world_, index());
 }
 
 void Body::wake() {
-    wakeIsland(*world_, index_);
+    wakeIsland(*world_, index());
 }
 
 void Body::sleep() {
-    sleepIsland(*world_, index_);
+    sleepIsland(*world_, index());
 }
 
 void Body::setEnabled(bool enabled) {
     WorldState& world = *world_;
-    BodyRecord& record = world.bodies.record[index_];
+    BodyRecord& record = world.bodies.record[index()];
     if (enabled == record.enabled) return;
-    wakeNeighbours(world, index_);
-    wakeInfluencedByMagnetsOn(world, index_);
+    wakeNeighbours(world, index());
+    wakeInfluencedByMagnetsOn(world, index());
     if (enabled) {
         record.quarantined = false;
-        showShapes(world, index_);
-        wakeIfMoving(world, index_);
-        wakeInfluencedByMagnetsOn(world, index_);
+        showShapes(world, index());
+        wakeIfMoving(world, index());
+        wakeInfluencedByMagnetsOn(world, index());
         return;
     }
-    hideShapes(world, index_);
-    world.bodies.putToSleep(index_);
+    hideShapes(world, index());
+    world.bodies.putToSleep(index());
 }
 
 void Body::setTag(std::uint64_t tag) {
-    world_->bodies.record[index_].tag = tag;
+    world_->bodies.record[index()].tag = tag;
 }
 
 }  // namespace plumb

@@ -8,7 +8,8 @@ namespace plumb {
 
 struct WorldState;
 
-/// A read-only view of one shape of a body. Valid as long as the shape and its world exist.
+/// A read-only view of one shape of a body. Valid as long as the world exists; each call
+/// throws std::invalid_argument once the shape was removed.
 class BodyShapeView {
 public:
     ShapeId id() const;
@@ -22,6 +23,7 @@ public:
 protected:
     friend class World;
     BodyShapeView(WorldState& world, ShapeId id) : world_(&world), id_(id) {}
+    const ShapeId& known() const;  ///< its id; throws std::invalid_argument if it was removed
     WorldState* world_;
     ShapeId id_;
 };

@@ -7,7 +7,8 @@ namespace plumb {
 
 struct WorldState;
 
-/// A read-only view of one field of a world. Valid as long as the field and its world exist.
+/// A read-only view of one field of a world. Valid as long as the world exists; each call
+/// throws std::invalid_argument once the field was removed.
 class FieldView {
 public:
     FieldId id() const;
@@ -15,9 +16,10 @@ public:
 
 protected:
     friend class World;
-    FieldView(WorldState& world, std::uint32_t index) : world_(&world), index_(index) {}
+    FieldView(WorldState& world, FieldId id) : world_(&world), id_(id) {}
+    std::uint32_t index() const;  ///< the slot; throws std::invalid_argument if it was removed
     WorldState* world_;
-    std::uint32_t index_;
+    FieldId id_;
 };
 
 /// A view that can also change the field.

@@ -21,7 +21,8 @@ struct JointCoordinate {
     double speed = 0;  ///< [m/s or rad/s]
 };
 
-/// A read-only view of one joint of a world. Valid as long as the joint and its world exist.
+/// A read-only view of one joint of a world. Valid as long as the world exists; each call
+/// throws std::invalid_argument once the joint was removed.
 class JointView {
 public:
     JointId id() const;
@@ -35,9 +36,10 @@ public:
 
 protected:
     friend class World;
-    JointView(WorldState& world, std::uint32_t index) : world_(&world), index_(index) {}
+    JointView(WorldState& world, JointId id) : world_(&world), id_(id) {}
+    std::uint32_t index() const;  ///< the slot; throws std::invalid_argument if it was removed
     WorldState* world_;
-    std::uint32_t index_;
+    JointId id_;
 };
 
 /// A view that can also change the joint.

@@ -41,16 +41,21 @@ World::World(const WorldDef& def) {
     state->bodies.gravity = def.gravity;
     state->bodies.subSteps = def.solver.subSteps;
     if (def.ledger) state->account.emplace();
-    state_ = std::move(state);
+    state_ = state.release();
 }
 
-World::World(const World& other) : state_(std::make_unique<WorldState>(*other.state_)) {}
+World::World(const World& other) : state_(new WorldState(*other.state_)) {}
 World& World::operator=(const World& other) {
     return *this = World(other);
 }
-World::World(World&&) noexcept = default;
-World& World::operator=(World&&) noexcept = default;
-World::~World() = default;
+World::World(World&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
+World& World::operator=(World&& other) noexcept {
+    delete std::exchange(state_, std::exchange(other.state_, nullptr));
+    return *this;
+}
+World::~World() {
+    delete state_;
+}
 
 BodyId World::add(const BodyDef& def) {
     validate(def, "BodyDef");
@@ -104,12 +109,12 @@ bool World::contains(BodyId id) const {
 
 Body World::body(BodyId id) {
     requireBody(*state_, id, "BodyId");
-    return {*state_, id.index};
+    return {*state_, id};
 }
 
 BodyView World::body(BodyId id) const {
     requireBody(*state_, id, "BodyId");
-    return {*state_, id.index};
+    return {*state_, id};
 }
 
 Ledger World::ledger() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How does a set of bodies move on from one tick to the next?
 #pragma once
-#include <memory>
+#include <concepts>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,7 +20,9 @@
 #include <plumb/dynamics/query.h>
 #include <plumb/dynamics/step_profile.h>
 #include <plumb/dynamics/world_def.h>
+#include <plumb/math/alternative.h>
 #include <plumb/math/empty_braces.h>
+#include <plumb/math/never.h>
 #include <plumb/shapes/aabb.h>
 
 namespace plumb {
@@ -34,6 +36,10 @@ class World {
 public:
     explicit World(const WorldDef& def = {});
     explicit World(detail::EmptyBraces) : World() {}
+    template <std::same_as<Vec2> Gravity>
+    explicit World(const Gravity&) {
+        static_assert(detail::never<Gravity>, "name the gravity: write World({.gravity = {0, -9.81}})");
+    }
     World(const World& other);
     World(World&&) noexcept;
     World& operator=(const World& other);
@@ -41,21 +47,33 @@ public:
     ~World();
 
     BodyId add(const BodyDef& def);
+    template <std::same_as<ShapeDef> Def>
+    BodyId add(const Def&) {
+        static_assert(detail::never<Def>, "a shape belongs to a body: write add({.shapes = {circle(0.5)}})");
+        return {};
+    }
     ShapeId add(BodyId body, const ShapeDef& shape);  ///< updates the mass, unless it was given
     JointId join(const JointDef& def);
-    void remove(BodyId body);    ///< with its shapes and joints
-    void remove(ShapeId shape);  ///< updates the mass, unless it was given
-    void remove(JointId joint);  ///< with the gears that it drives
+    JointId join(const detail::JointOfNoKind&) = delete;  // name it: join(RevoluteJointDef{.bodyA = a, .bodyB = b})
+    void remove(BodyId body);                             ///< with its shapes and joints
+    void remove(ShapeId shape);                           ///< updates the mass, unless it was given
+    void remove(JointId joint);                           ///< with the gears that it drives
 
     /// Forces that fill the world or a region of it. Adding, changing or removing a field wakes the bodies on which it
     /// acts.
     FieldId addField(const FieldDef& def);
+    template <detail::AlternativeOf<FieldLaw> Law>
+    FieldId addField(const Law&) {
+        static_assert(detail::never<Law>, "name the law: write addField({.law = Drag{...}})");
+        return {};
+    }
     void remove(FieldId field);
     /// Pushes dynamic bodies at once: each shape that is not a sensor and collides with a shape of the filter. The
     /// impulse is proportional to the shape's width as seen from the explosion, and acts at its nearest point.
     void explode(const Explosion& explosion, const Filter& filter = {});
 
-    /// Moves the world forward by dt [s]. Throws std::invalid_argument only if dt is negative or not finite.
+    /// Moves the world forward by dt, at most 1 [s]. Throws std::invalid_argument only if dt is negative, longer or not
+    /// finite.
     void step(double dt);
 
     bool contains(BodyId body) const;
@@ -131,7 +149,7 @@ public:
     WorldCounts counts() const;  ///< takes time: it goes through all objects
 
 private:
-    std::unique_ptr<WorldState> state_;  ///< null once moved from
+    WorldState* state_ = nullptr;  ///< owned; null once moved from (a std::unique_ptr would double this header)
 };
 
 }  // namespace plumb

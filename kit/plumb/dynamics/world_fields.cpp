@@ -63,25 +63,30 @@ bool World::contains(FieldId id) const {
 
 Field World::field(FieldId id) {
     requireField(*state_, id, "FieldId");
-    return {*state_, id.index};
+    return {*state_, id};
 }
 
 FieldView World::field(FieldId id) const {
     requireField(*state_, id, "FieldId");
-    return {*state_, id.index};
+    return {*state_, id};
 }
 
 FieldId FieldView::id() const {
-    return {index_, world_->fields.records[index_].generation, world_->bodies.world};
+    return id_;
+}
+
+std::uint32_t FieldView::index() const {
+    requireField(*world_, id_, "FieldId");
+    return id_.index;
 }
 
 FieldDef FieldView::def() const {
-    return world_->fields.records[index_].def;
+    return world_->fields.records[index()].def;
 }
 
 void Field::set(const FieldDef& def) {
     validate(*world_, def);
-    FieldRecord& record = world_->fields.records[index_];
+    FieldRecord& record = world_->fields.records[index()];
     wakeInfluenced(*world_, record);
     record = recordOf(def, record.generation);
     wakeInfluenced(*world_, record);

@@ -24,12 +24,12 @@ bool World::contains(JointId id) const {
 
 Joint World::joint(JointId id) {
     requireJoint(*state_, id, "JointId");
-    return {*state_, id.index};
+    return {*state_, id};
 }
 
 JointView World::joint(JointId id) const {
     requireJoint(*state_, id, "JointId");
-    return {*state_, id.index};
+    return {*state_, id};
 }
 
 std::vector<JointId> World::joints() const {
@@ -46,33 +46,38 @@ std::span<const JointBroke> World::jointBreaks() const {
 }
 
 JointId JointView::id() const {
-    return {index_, world_->joints[index_].generation, world_->bodies.world};
+    return id_;
+}
+
+std::uint32_t JointView::index() const {
+    requireJoint(*world_, id_, "JointId");
+    return id_.index;
 }
 
 JointDef JointView::def() const {
-    return world_->joints[index_].def();
+    return world_->joints[index()].def();
 }
 
 JointReaction JointView::reaction() const {
-    const JointLoad& load = world_->joints.loads[index_];
+    const JointLoad& load = world_->joints.loads[index()];
     return {load.force(), load.torque()};
 }
 
 JointCoordinate JointView::coordinate() const {
-    return {world_->joints.coordinateOf(index_, world_->bodies), world_->joints.speedOf(index_, world_->bodies)};
+    return {world_->joints.coordinateOf(index(), world_->bodies), world_->joints.speedOf(index(), world_->bodies)};
 }
 
 double JointView::error() const {
-    return world_->joints.errorOf(index_, world_->bodies);
+    return world_->joints.errorOf(index(), world_->bodies);
 }
 
 double JointView::angleError() const {
-    return world_->joints.angleErrorOf(index_, world_->bodies);
+    return world_->joints.angleErrorOf(index(), world_->bodies);
 }
 
 void Joint::set(const JointDef& def) {
-    validateChange(world_->joints[index_].def(), def);
-    changeJoint(*world_, index_, def);
+    validateChange(world_->joints[index()].def(), def);
+    changeJoint(*world_, index(), def);
 }
 
 void Joint::setMotorSpeed(double speed) {
@@ -89,7 +94,7 @@ void Joint::setMotorSpeed(double speed) {
         changed);
     validateChange(def(), changed);
     requireMotor(changed);
-    changeJoint(*world_, index_, changed);
+    changeJoint(*world_, index(), changed);
 }
 
 }  // namespace plumb

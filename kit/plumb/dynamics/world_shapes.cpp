@@ -109,41 +109,48 @@ BodyId BodyShapeView::body() const {
     return id_.body;
 }
 
+const ShapeId& BodyShapeView::known() const {
+    requireShape(*world_, id_, "ShapeId");
+    return id_;
+}
+
 ShapeDef BodyShapeView::def() const {
-    return shapeOf(*world_, piecesOf(*world_, id_.body.index, id_.number));
+    const ShapeId& id = known();
+    return shapeOf(*world_, piecesOf(*world_, id.body.index, id.number));
 }
 
 bool BodyShapeView::sensor() const {
-    return propertiesOf(*world_, id_).sensor;
+    return propertiesOf(*world_, known()).sensor;
 }
 
 const Material& BodyShapeView::material() const {
-    return propertiesOf(*world_, id_).material;
+    return propertiesOf(*world_, known()).material;
 }
 
 const Filter& BodyShapeView::filter() const {
-    return propertiesOf(*world_, id_).filter;
+    return propertiesOf(*world_, known()).filter;
 }
 
 std::uint64_t BodyShapeView::tag() const {
-    return propertiesOf(*world_, id_).tag;
+    return propertiesOf(*world_, known()).tag;
 }
 
 void BodyShape::set(const ShapeDef& def) {
+    const ShapeId id = known();
     requireShape(def, "ShapeDef");
-    requireFit(*world_, def.shape, world_->bodies.pose(id_.body.index), "ShapeDef.shape");
-    requireThicknessWith(*world_, id_, def, "ShapeDef");
-    requireMassWith(*world_, id_, def, "ShapeDef");
+    requireFit(*world_, def.shape, world_->bodies.pose(id.body.index), "ShapeDef.shape");
+    requireThicknessWith(*world_, id, def, "ShapeDef");
+    requireMassWith(*world_, id, def, "ShapeDef");
     const ShapeDef before = this->def();
-    const BodyIndex body = id_.body.index;
+    const BodyIndex body = id.body.index;
     const bool alike = meetsAlike(before, def);
     const bool same = alike && before.material == def.material && before.filter == def.filter;
-    if (!same && !(before.sensor && def.sensor)) wakeTouching(*world_, body, id_.number);
+    if (!same && !(before.sensor && def.sensor)) wakeTouching(*world_, body, id.number);
     if (alike) {
-        alterShape(*world_, body, def, id_.number);
+        alterShape(*world_, body, def, id.number);
     } else {
-        removeShape(*world_, body, id_.number);
-        addShape(*world_, body, def, id_.number);
+        removeShape(*world_, body, id.number);
+        addShape(*world_, body, def, id.number);
     }
     updateMassFromShapes(*world_, body);
 }

@@ -218,10 +218,19 @@ void sleep(Step& s) {
         w.events.sleepers = sleepIslands({w.bodies, w.graph, w.contacts, w.joints, w.space}, w.solver, s.dt);
 }
 
+/// Seconds are wanted. 16.67 is a frame in milliseconds, and nobody's step.
+void requireStep(double dt) {
+    constexpr double longest = 1;
+    requireNotNegative(dt, "World.step: dt");
+    if (dt > longest)
+        refuse("World.step: dt", toText(dt) + " s is longer than 1 s: wanted are seconds, not milliseconds; " +
+                                     "for a longer time make several steps");
+}
+
 }  // namespace
 
 void World::step(double dt) {
-    requireNotNegative(dt, "World.step: dt");
+    requireStep(dt);
     Step step(*state_, dt);
     const bool moves = dt > 0, solves = dt >= shortestSolved;
     if (solves) step.run(partOverlaps, &StepProfile::pairs, &EnergyLedger::solver);

@@ -12,8 +12,8 @@ struct DroppedBall {
 };
 
 struct BouncesToRest {
-    double time;      ///< from the drop [s]
-    double distance;  ///< total distance, down and up and down [m]
+    double time = 0;      ///< from the drop [s]
+    double distance = 0;  ///< total distance, down and up and down [m]
 };
 
 /// T = sqrt(2 h / g) (1 + e) / (1 - e),  D = h (1 + e^2) / (1 - e^2); empty where e = 1: it never comes to rest.

@@ -15,10 +15,10 @@ struct SlidingDisc {
 };
 
 struct Rolling {
-    double time;             ///< time at which rolling begins [s]
-    double distance;         ///< sliding distance until then, to +x; negative with enough back spin [m]
-    double speed;            ///< from then on, to +x [m/s]
-    double angularVelocity;  ///< from then on, -speed / radius [rad/s]
+    double time = 0;             ///< time at which rolling begins [s]
+    double distance = 0;         ///< sliding distance until then, to +x; negative with enough back spin [m]
+    double speed = 0;            ///< from then on, to +x [m/s]
+    double angularVelocity = 0;  ///< from then on, -speed / radius [rad/s]
 };
 
 /// s = v0 + w0 r,  t = |s| k / ((1 + k) mu g),  v = (v0 - k w0 r) / (1 + k),  x = (v0 + v) t / 2
@@ -37,9 +37,9 @@ struct Incline {
 };
 
 struct Descent {
-    double acceleration;  ///< of its centre, down the slope [m/s^2]
-    double spinUp;        ///< angular acceleration times radius; less than acceleration when it slides [m/s^2]
-    bool rolls;
+    double acceleration = 0;  ///< of its centre, down the slope [m/s^2]
+    double spinUp = 0;        ///< angular acceleration times radius; less than acceleration when it slides [m/s^2]
+    bool rolls = false;
 };
 
 /// Rolling: g sin a / (1 + k), where friction is sufficient: mu >= tan a k / (1 + k); otherwise it slides and turns,

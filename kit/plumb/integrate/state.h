@@ -11,10 +11,11 @@
 
 namespace plumb {
 
-/// An Eigen vector (or matrix) of doubles, of fixed or dynamic size; not an expression. Functions for derivatives must
-/// return the same type, not an expression either.
+/// A Vec2, or an Eigen vector (or matrix) of doubles, of fixed or dynamic size; not an expression. Functions for
+/// derivatives must return the same type, not an expression either.
 template <typename T>
-concept EigenState = std::derived_from<T, Eigen::PlainObjectBase<T>> && std::same_as<typename T::Scalar, double>;
+concept EigenState = std::same_as<T, Vec2> ||
+    (std::derived_from<T, Eigen::PlainObjectBase<T>>&& std::same_as<typename T::Scalar, double>);
 
 /// Throws std::invalid_argument when the named value does not have the state's size.
 template <EigenState State>

@@ -161,7 +161,7 @@ MotionSolutions solveMotion(const KnownMotion& known, MotionTimes times) {
 PlaneMotionSolution solveMotion(const KnownPlaneMotion& known) {
     requireFinite(known.time, "KnownPlaneMotion.time");
     givenOf(known, "KnownPlaneMotion").requireCount(2, "two of the four vectors are");
-    const auto along = [&](Eigen::Index axis) {
+    const auto along = [&](int axis) {
         const auto part = [&](const std::optional<Vec2>& vector) {
             return vector ? std::optional((*vector)[axis]) : std::nullopt;
         };

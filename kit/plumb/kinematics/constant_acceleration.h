@@ -19,7 +19,7 @@ struct KnownMotion {
 };
 
 struct SolvedMotion {
-    double displacement, startVelocity, endVelocity, acceleration, time;  ///< as in KnownMotion
+    double displacement = 0, startVelocity = 0, endVelocity = 0, acceleration = 0, time = 0;  ///< as in KnownMotion
 };
 
 struct MotionSolutions {
@@ -52,7 +52,7 @@ struct KnownPlaneMotion {
 
 struct SolvedPlaneMotion {
     Vec2 displacement, startVelocity, endVelocity, acceleration;  ///< as in KnownPlaneMotion
-    double time;                                                  ///< [s]
+    double time = 0;                                              ///< [s]
 };
 
 struct PlaneMotionSolution {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How is a callback of any type passed to a function, without a template for each type?
 #pragma once
-#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -19,7 +18,7 @@ public:
     requires(!std::is_same_v<std::remove_cvref_t<Function>, FunctionRef> &&
              (std::is_invocable_r_v<Result, Function&, First, Rest...> ||
               std::is_invocable_r_v<Result, Function&, First>)) FunctionRef(Function&& function)
-        : function_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),
+        : function_(const_cast<void*>(static_cast<const void*>(&function))),
           call_([](void* target, First first, Rest... rest) -> Result {
               auto& called = *static_cast<std::remove_reference_t<Function>*>(target);
               if constexpr (std::is_invocable_r_v<Result, Function&, First, Rest...>)

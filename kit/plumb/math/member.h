@@ -100,10 +100,10 @@ constexpr Allowed Allowed::anchorOf(AnchorOf bodies) const {
 }
 
 struct Member {
-    const char* name;     ///< as in the struct
-    const char* unit;     ///< "m/s"; "-" for a number without one, "" for what is no number
-    Allowed allowed;      ///< what it may hold
-    const char* meaning;  ///< a phrase
+    const char* name = "";     ///< as in the struct
+    const char* unit = "";     ///< "m/s"; "-" for a number without one, "" for what is no number
+    Allowed allowed = {};      ///< what it may hold
+    const char* meaning = "";  ///< a phrase
 };
 
 /// Names of a definition: of its type, and, of one of several alternatives, the word that tells them apart in a file.

@@ -7,7 +7,7 @@
 namespace plumb {
 
 struct SinCos {
-    double sin, cos;
+    double sin = 0, cos = 1;
 };
 
 /// Sine and cosine of an angle [rad], NaN if it is not finite. Error below 1 unit in the last place for |angle| up to

@@ -23,21 +23,21 @@ struct ArcadeFright {
 
 /// Times of scatter, chase, scatter ... [s]; the last chase has no end. The timer is paused during fright.
 struct ArcadeWaves {
-    std::array<double, 8> times;
+    std::array<double, 8> times = {};
 };
 
 enum class HunterMode : std::uint8_t { Scatter, Chase };
 
 /// Of hunters 1, 2 and 3: the number of eaten dots at which each leaves the house.
 struct ArcadeHouse {
-    std::array<int, 3> limits;
-    double noDotTime;  ///< time without an eaten dot after which the next one leaves anyway [s]
+    std::array<int, 3> limits = {};
+    double noDotTime = 0;  ///< time without an eaten dot after which the next one leaves anyway [s]
 };
 
 /// The bonus item that appears twice a level.
 struct ArcadeFruit {
-    int kind;  ///< 0 to 7, each with a picture of its own
-    int points;
+    int kind = 0;  ///< 0 to 7, each with a picture of its own
+    int points = 0;
 };
 
 /// Constants of all levels. A game may copy and change them. Source of all numbers here and below: Pittman, "The

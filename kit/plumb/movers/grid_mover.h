@@ -45,9 +45,9 @@ enum class GridEventKind : std::uint8_t {
 };
 
 struct GridEvent {
-    GridEventKind kind;
-    Cell cell;
-    Direction direction;
+    GridEventKind kind = GridEventKind::Entered;
+    Cell cell = {};
+    Direction direction = Direction::Right;
     friend bool operator==(const GridEvent&, const GridEvent&) = default;
 };
 

@@ -22,7 +22,8 @@ FreeMotion testMove(const World& world, BodyId body, const Vec2& displacement, d
 FreeMotion moveAndCollide(World& world, BodyId body, const Vec2& displacement, double dt, double skin) {
     requirePositive(dt, "moveAndCollide: dt");
     Body moved = world.body(body);
-    if (moved.type() != BodyType::Kinematic) refuse("moveAndCollide: body", "is not kinematic");
+    if (moved.type() != BodyType::Kinematic)
+        refuse("moveAndCollide: body", "is not kinematic: set its type to Kinematic");
     const FreeMotion free = testMove(world, body, displacement, skin);
     moved.setVelocity(free.displacement / dt);
     moved.setAngularVelocity(0);

@@ -21,7 +21,7 @@ constexpr double halfTurnQuarter = 1.5707963267948966;  // pi / 2
 
 void require(const World& world, BodyId body, const SlideMotion& motion) {
     const BodyView view = world.body(body);
-    if (view.type() != BodyType::Kinematic) refuse("moveAndSlide: body", "is not kinematic");
+    if (view.type() != BodyType::Kinematic) refuse("moveAndSlide: body", "is not kinematic: set its type to Kinematic");
     requireFinite(motion.velocity, "SlideMotion", ".velocity");
     requirePositive(motion.dt, "SlideMotion", ".dt");
     requireFinite(Vec2(motion.velocity * motion.dt), "SlideMotion.velocity, times dt");

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is the axis-aligned bounding box of a shape?
 #pragma once
-#include <algorithm>
-
 #include <plumb/math/transform.h>
 #include <plumb/shapes/shape.h>
 
@@ -23,8 +21,7 @@ inline bool contains(const Aabb& outer, const Aabb& inner) {
            outer.lower.y() <= inner.lower.y() && inner.upper.y() <= outer.upper.y();
 }
 inline Aabb merge(const Aabb& a, const Aabb& b) {
-    return {{std::min(a.lower.x(), b.lower.x()), std::min(a.lower.y(), b.lower.y())},
-            {std::max(a.upper.x(), b.upper.x()), std::max(a.upper.y(), b.upper.y())}};
+    return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
 }
 inline Aabb inflate(const Aabb& a, double margin) {
     return {{a.lower.x() - margin, a.lower.y() - margin}, {a.upper.x() + margin, a.upper.y() + margin}};

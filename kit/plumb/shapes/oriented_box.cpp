@@ -81,7 +81,7 @@ OrientedBox boxAround(std::span<const Vec2> points, double radius) {
     }
     const Rot rotation{along.x(), along.y()};
     const Vec2 middle = 0.5 * lower + 0.5 * upper;
-    return {points.front() + rotation * middle, (0.5 * upper - 0.5 * lower).array() + radius, rotation};
+    return {points.front() + rotation * middle, 0.5 * upper - 0.5 * lower + Vec2::Constant(radius), rotation};
 }
 
 }  // namespace

@@ -12,8 +12,10 @@ namespace {
 Tile tileOf(char letter, const TileLegend& legend, std::size_t row, std::size_t column) {
     const auto found = legend.find(letter);
     if (found != legend.end()) return found->second;
+    std::string known;
+    for (const auto& [sign, tile] : legend) known += std::string(known.empty() ? "" : ", ") + "'" + sign + "'";
     refuse("tileMapOf: rows[" + std::to_string(row) + "][" + std::to_string(column) + "]",
-           std::string("'") + letter + "' stands for no tile");
+           std::string("'") + letter + "' stands for no tile; known are " + known);
 }
 
 char letterOf(const Tile& tile, const TileLegend& legend) {

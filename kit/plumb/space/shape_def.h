@@ -73,6 +73,7 @@ ShapeDef circle(double radius, const Material& material = {});
 ShapeDef capsule(const Vec2& start, const Vec2& end, double radius, const Material& material = {});
 /// An axis-aligned rectangle around the body's origin; halfSize is half its width and half its height [m].
 ShapeDef box(const Vec2& halfSize, const Material& material = {});
+ShapeDef box(double, double, const Material& = {}) = delete;  // both in braces: box({halfWidth, halfHeight})
 /// The same, with an outline that is offset outwards by radius: halfSize + radius in all.
 ShapeDef roundedBox(const Vec2& halfSize, double radius, const Material& material = {});
 /// A convex polygon, corners counter-clockwise. For the hull of any points: {.shape = hullOf(points)}.

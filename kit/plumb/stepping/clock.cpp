@@ -49,7 +49,7 @@ void FixedClock::setTimeScale(double timeScale) {
 }
 
 Ticks FixedClock::advance(double elapsed) {
-    requireNotNegative(elapsed, "elapsed");
+    requireNotNegative(elapsed, "FixedClock.advance: elapsed");
     Ticks ticks;
     ticks.due = std::exchange(singleSteps_, 0);
     if (!paused_) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How many ticks of a fixed interval are due, independent of the display rate?
 #pragma once
+#include <concepts>
 #include <cstdint>
 
 #include <plumb/math/empty_braces.h>
+#include <plumb/math/never.h>
 
 namespace plumb {
 
@@ -33,6 +35,10 @@ public:
     /// Throws std::invalid_argument that names the field; more than a million ticks at once are refused as well.
     explicit FixedClock(const ClockSettings& settings = {});
     explicit FixedClock(detail::EmptyBraces) : FixedClock() {}
+    template <std::floating_point Number>
+    explicit FixedClock(Number) {
+        static_assert(detail::never<Number>, "name the interval: write FixedClock({.interval = 1.0 / 60})");
+    }
 
     /// Adds the real time since the last call [s]. Throws std::invalid_argument, and changes nothing, when it is
     /// negative or not finite.

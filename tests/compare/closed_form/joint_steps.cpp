@@ -125,8 +125,8 @@ private:
     Column forces(const Column& q, const Column& v) const {
         Column f = Column::Zero(size_);
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
-            f.segment<2>(static_cast<Eigen::Index>(3 * i)) =
-                weight_[static_cast<Eigen::Index>(3 * i)] * scene_.bodies[i].def.gravityScale * scene_.gravity;
+            f.segment<2>(static_cast<Eigen::Index>(3 * i)) = Eigen::Vector2d(
+                weight_[static_cast<Eigen::Index>(3 * i)] * scene_.bodies[i].def.gravityScale * scene_.gravity);
         for (const SceneJoint& joint : scene_.joints) addJoint(joint, q, v, f);
         for (const SceneField& field : scene_.fields) addField(field, q, f);
         return f;

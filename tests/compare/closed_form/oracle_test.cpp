@@ -24,8 +24,10 @@ BodyState ballAt(const Scene& scene, double t) {
 }
 
 bool unknown(const BodyState& state) {
-    return state.position.array().isNaN().all() && std::isnan(state.angle) && state.velocity.array().isNaN().all() &&
-           std::isnan(state.angularVelocity);
+    for (const double number : {state.position.x(), state.position.y(), state.angle, state.velocity.x(),
+                                state.velocity.y(), state.angularVelocity})
+        if (!std::isnan(number)) return false;
+    return true;
 }
 
 const PiecewiseMotion twoFlights{"ball",

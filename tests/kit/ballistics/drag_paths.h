@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include <Eigen/Core>
+
 #include "kit/ballistics/shots.h"
 
 namespace plumb::test {

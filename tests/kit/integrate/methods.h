@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What do all methods make of the same x'' = a(t, x, v)?
 #pragma once
+#include <array>
+
+#include <Eigen/Core>
+
 #include <plumb/integrate/dormand_prince.h>
 #include <plumb/integrate/fixed_step.h>
 #include <plumb/integrate/symplectic.h>
-
-#include <array>
 
 namespace plumb::test {
 
@@ -47,6 +49,17 @@ Phase<Vector<N>> stepOf(Method method, const Acceleration& acceleration, double 
     if (method == Method::RungeKutta4) state = rungeKutta4Step(slope, time, state, step);
     if (method == Method::DormandPrince) state = dormandPrinceStep(slope, time, state, slope(time, state), step).end;
     return {state.template head<N>(), state.template tail<N>()};
+}
+
+/// The same in the plane.
+template <typename Acceleration>
+Phase<Vec2> stepOf(Method method, const Acceleration& acceleration, double time, const Phase<Vec2>& from,
+                   double step) {
+    const auto pull = [&](double t, const Vector<2>& x, const Vector<2>& v) -> Vector<2> {
+        return acceleration(t, x, v);
+    };
+    const Phase<Vector<2>> after = stepOf<2>(method, pull, time, {from.position, from.velocity}, step);
+    return {after.position, after.velocity};
 }
 
 /// x'' = -x.

@@ -26,7 +26,7 @@ double distance(const Aabb& box, const std::vector<Vec2>& points) {
         lower = {std::min(lower.x(), p.x()), std::min(lower.y(), p.y())};
         upper = {std::max(upper.x(), p.x()), std::max(upper.y(), p.y())};
     }
-    return std::max((box.lower - lower).lpNorm<Eigen::Infinity>(), (box.upper - upper).lpNorm<Eigen::Infinity>());
+    return std::max((box.lower - lower).cwiseAbs().maxCoeff(), (box.upper - upper).cwiseAbs().maxCoeff());
 }
 
 // As the pose's two parts say, with the C library's sine and cosine.

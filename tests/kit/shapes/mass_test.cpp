@@ -252,7 +252,8 @@ TEST_CASE("a polygon 1,000 km from the origin keeps every digit of its mass and 
         Polygon shifted = near;
         for (std::size_t i = 0; i < near.vertices.size(); ++i) {
             // Multiples of 2^-20 of at most 2^20: both places are exact.
-            near.vertices[i] = (near.vertices[i] * 0x1p20).array().round() * 0x1p-20;
+            const Vec2 steps = near.vertices[i] * 0x1p20;
+            near.vertices[i] = Vec2(std::round(steps.x()), std::round(steps.y())) * 0x1p-20;
             shifted.vertices[i] = near.vertices[i] + far;
         }
         const Mass a = plumb::massOf(near, 1);

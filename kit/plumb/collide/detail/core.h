@@ -3,6 +3,8 @@
 #pragma once
 #include <cstddef>
 
+#include <Eigen/Core>
+
 #include <plumb/collide/convex.h>
 #include <plumb/math/vec2.h>
 

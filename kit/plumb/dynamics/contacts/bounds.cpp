@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Core>
+
 #include <plumb/dynamics/bodies/load_bodies.h>
 #include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>

@@ -159,9 +159,9 @@ void requireBody(const WorldState& world, BodyId id, std::string_view field) {
 }
 
 void requireShape(const WorldState& world, ShapeId id, std::string_view field) {
+    if (isKnown(world, id)) return;
     const std::string name(field);
     requireBody(world, id.body, name + ".body");
-    if (isKnown(world, id)) return;
     const bool made = id.number < world.bodies.record[id.body.index].shapesMade;
     refuse(name + ".number",
            std::to_string(id.number) + (made ? " names no shape of that body any more: it was removed"

@@ -330,7 +330,7 @@ void forEachImage(const Vec2& first, const Vec2& last, Visit&& visit) {
 
 /// The last image that a box extends into, but no more than maxImages from the first.
 inline Vec2 Space::lastImage(const Aabb& box) const {
-    const Vec2 most = wrap_.imageIndex(box.lower).array() + (periodic::maxImages - 1);
+    const Vec2 most = wrap_.imageIndex(box.lower) + Vec2::Constant(periodic::maxImages - 1);
     return wrap_.imageIndex(box.upper).cwiseMin(most);
 }
 
@@ -339,7 +339,7 @@ void Space::forEachShift(const Aabb& still, const Aabb& box, Visitor&& visitor) 
     // One more image at both ends, because the division is rounded.
     const Vec2 one(wrap_.width ? 1 : 0, wrap_.height ? 1 : 0);
     const Vec2 first = wrap_.imageIndex(still.lower - box.upper) - one;
-    const Vec2 most = first.array() + (periodic::maxImages + 2);
+    const Vec2 most = first + Vec2::Constant(periodic::maxImages + 2);
     const Vec2 last = (wrap_.imageIndex(still.upper - box.lower) + one).cwiseMin(most);
     periodic::forEachImage(first, last, [&](const Vec2& image) {
         const Vec2 shift = wrap_.imageOffset(image);

@@ -67,8 +67,8 @@ void Space::updateEntries() {
 void Space::recenterOrigin() {
     const Aabb box = treeBox(moved_[moved_.size() / 2]);
     const Vec2 center = 0.5 * box.lower + 0.5 * box.upper;
-    const double away = center.lpNorm<Eigen::Infinity>();
-    if (!(away < maxOrigin) || (center - origin_).lpNorm<Eigen::Infinity>() < recenterDistance) return;
+    const double away = center.cwiseAbs().maxCoeff();
+    if (!(away < maxOrigin) || (center - origin_).cwiseAbs().maxCoeff() < recenterDistance) return;
     if (originUpdate_ != 0 && update_ - originUpdate_ < updatesBetweenOrigins) return;
     origin_ = center;
     originUpdate_ = update_;
