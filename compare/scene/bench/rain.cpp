@@ -87,10 +87,10 @@ void addDoll(Scene& scene, const std::string& name, const Vec2& soles, int group
         const double turning = 1 / (1 / massOf(parent.def).inertia + 1 / massOf(body.def).inertia);
         scene.joints.push_back({body.name, parent.name, body.name,
                                 RevoluteJointDef{.anchor = soles + Vec2(0, bone.hinge),
-                                                 .maxMotorTorque = bone.strength * frictionTorque,
                                                  .limit = Limit{bone.least, bone.most},
                                                  .spring = springOf(springRate, springDampingRatio, turning),
-                                                 .restAngle = bone.rest}});
+                                                 .restAngle = bone.rest,
+                                                 .maxMotorTorque = bone.strength * frictionTorque}});
     }
 }
 

@@ -34,10 +34,10 @@ void addWheel(Scene& scene, const std::string& name, double x) {
     scene.joints.push_back({name + "_suspension", "body", name,
                             WheelJointDef{.anchor = hub,
                                           .axis = {0, 1},
-                                          .motorSpeed = -wheelSpeed / wheelRadius,
-                                          .maxMotorTorque = 60,
                                           .limit = Limit{-0.25, 0.25},
-                                          .spring = Spring{suspension, damping}}});
+                                          .spring = Spring{suspension, damping},
+                                          .motorSpeed = -wheelSpeed / wheelRadius,
+                                          .maxMotorTorque = 60}});
 }
 
 }  // namespace

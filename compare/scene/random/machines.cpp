@@ -73,10 +73,10 @@ Item drawCar(Draw& draw, double density) {
         item.joints.push_back({name + "_suspension", "chassis", name,
                                WheelJointDef{.anchor = hub,
                                              .axis = {0, 1},
-                                             .motorSpeed = -speed / wheel,
-                                             .maxMotorTorque = 3 * mass * wheel,
                                              .limit = Limit{-0.25 * size, 0.25 * size},
-                                             .spring = springOf(2, 0.7, mass / 2)}});
+                                             .spring = springOf(2, 0.7, mass / 2),
+                                             .motorSpeed = -speed / wheel,
+                                             .maxMotorTorque = 3 * mass * wheel}});
     }
     return item;
 }

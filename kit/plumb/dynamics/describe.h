@@ -88,11 +88,11 @@ void describe(OrConst<RevoluteJointDef> auto& def, auto&& visit) {
     visit({"bodyA", "", JointMembers::id, "one body"}, def.bodyA);
     visit({"bodyB", "", JointMembers::id, "the other body"}, def.bodyB);
     visit({"anchor", "m", JointMembers::anchor, "the hinge"}, def.anchor);
-    visit({"motorSpeed", "rad/s", JointMembers::place, "of B against A, that the motor is to reach"}, def.motorSpeed);
-    visit({"maxMotorTorque", "N m", JointMembers::strength, "what the motor may use; 0: no motor"}, def.maxMotorTorque);
     visit({"limit", "", Allowed::any, "of B's angle against A's"}, def.limit);
     visit({"spring", "", Allowed::any, "turns B back to restAngle"}, def.spring);
     visit({"restAngle", "rad", JointMembers::place, "of B against A, from how they are turned now"}, def.restAngle);
+    visit({"motorSpeed", "rad/s", JointMembers::place, "of B against A, that the motor is to reach"}, def.motorSpeed);
+    visit({"maxMotorTorque", "N m", JointMembers::strength, "what the motor may use; 0: no motor"}, def.maxMotorTorque);
     visit({"collideConnected", "", Allowed::any, "may the two bodies touch each other?"}, def.collideConnected);
     visit({"breaking", "", Allowed::any, "when it breaks"}, def.breaking);
 }
@@ -104,12 +104,12 @@ void describe(OrConst<PrismaticJointDef> auto& def, auto&& visit) {
     visit({"bodyB", "", JointMembers::id, "the body that slides"}, def.bodyB);
     visit({"anchor", "m", JointMembers::anchor, "where the force acts on both"}, def.anchor);
     visit({"axis", "-", JointMembers::axis, "fixed to A, of any length"}, def.axis);
-    visit({"motorSpeed", "m/s", JointMembers::place, "of B along the axis, that the motor is to reach"},
-          def.motorSpeed);
-    visit({"maxMotorForce", "N", JointMembers::strength, "what the motor may use; 0: no motor"}, def.maxMotorForce);
     visit({"limit", "", Allowed::any, "of B's shift along the axis"}, def.limit);
     visit({"spring", "", Allowed::any, "pulls B back to restShift"}, def.spring);
     visit({"restShift", "m", JointMembers::place, "along the axis, from where they are now"}, def.restShift);
+    visit({"motorSpeed", "m/s", JointMembers::place, "of B along the axis, that the motor is to reach"},
+          def.motorSpeed);
+    visit({"maxMotorForce", "N", JointMembers::strength, "what the motor may use; 0: no motor"}, def.maxMotorForce);
     visit({"collideConnected", "", Allowed::any, "may the two bodies touch each other?"}, def.collideConnected);
     visit({"breaking", "", Allowed::any, "when it breaks"}, def.breaking);
 }
@@ -151,11 +151,11 @@ void describe(OrConst<WheelJointDef> auto& def, auto&& visit) {
     visit({"bodyB", "", JointMembers::id, "the wheel"}, def.bodyB);
     visit({"anchor", "m", JointMembers::anchor, "the wheel's hub"}, def.anchor);
     visit({"axis", "-", JointMembers::axis, "of the suspension, fixed to A, of any length"}, def.axis);
-    visit({"motorSpeed", "rad/s", JointMembers::place, "of B against A, that the motor is to reach"}, def.motorSpeed);
-    visit({"maxMotorTorque", "N m", JointMembers::strength, "what the motor may use; 0: no motor"}, def.maxMotorTorque);
     visit({"limit", "", Allowed::any, "of the hub's shift along the axis"}, def.limit);
     visit({"spring", "", Allowed::any, "pulls the hub back to restShift; without it, it slides freely"}, def.spring);
     visit({"restShift", "m", JointMembers::place, "along the axis, from where it is now"}, def.restShift);
+    visit({"motorSpeed", "rad/s", JointMembers::place, "of B against A, that the motor is to reach"}, def.motorSpeed);
+    visit({"maxMotorTorque", "N m", JointMembers::strength, "what the motor may use; 0: no motor"}, def.maxMotorTorque);
     visit({"collideConnected", "", Allowed::any, "may the two bodies touch each other?"}, def.collideConnected);
     visit({"breaking", "", Allowed::any, "when it breaks"}, def.breaking);
 }

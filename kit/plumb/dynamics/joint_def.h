@@ -47,13 +47,13 @@ struct Breaking {
 /// A hinge: the two bodies share a point and turn about it.
 struct RevoluteJointDef {
     BodyId bodyA = {}, bodyB = {};
-    Vec2 anchor{0, 0};          ///< the hinge [m]
-    double motorSpeed = 0;      ///< the motor's target speed, of B relative to A [rad/s]
-    double maxMotorTorque = 0;  ///< the motor's greatest torque, >= 0, may be infinite; 0: no motor [N m]
+    Vec2 anchor{0, 0};                            ///< the hinge [m]
     std::optional<Limit> limit = std::nullopt;    ///< of B's angle relative to A [rad]
     std::optional<Spring> spring = std::nullopt;  ///< turns B back to restAngle
     double restAngle = 0;                         ///< of B relative to A, counted from the present angle [rad]
-    bool collideConnected = false;                ///< may the two bodies touch each other?
+    double motorSpeed = 0;                        ///< the motor's target speed, of B relative to A [rad/s]
+    double maxMotorTorque = 0;      ///< the motor's greatest torque, >= 0, may be infinite; 0: no motor [N m]
+    bool collideConnected = false;  ///< may the two bodies touch each other?
     Breaking breaking = {};
 };
 
@@ -62,11 +62,11 @@ struct PrismaticJointDef {
     BodyId bodyA = {}, bodyB = {};
     Vec2 anchor{0, 0};                            ///< where the force acts on both [m]
     Vec2 axis{1, 0};                              ///< fixed to A; any length but 0 [-]
-    double motorSpeed = 0;                        ///< the motor's target speed, of B along the axis [m/s]
-    double maxMotorForce = 0;                     ///< >= 0, may be infinite; 0: no motor [N]
     std::optional<Limit> limit = std::nullopt;    ///< of B's shift along the axis [m]
     std::optional<Spring> spring = std::nullopt;  ///< pulls B back to restShift
     double restShift = 0;                         ///< along the axis, from the present position [m]
+    double motorSpeed = 0;                        ///< the motor's target speed, of B along the axis [m/s]
+    double maxMotorForce = 0;                     ///< >= 0, may be infinite; 0: no motor [N]
     bool collideConnected = false;
     Breaking breaking = {};
 };
@@ -102,11 +102,11 @@ struct WheelJointDef {
     BodyId bodyA = {}, bodyB = {};
     Vec2 anchor{0, 0};                            ///< the wheel's hub [m]
     Vec2 axis{0, 1};                              ///< of the suspension, fixed to A; any length but 0 [-]
-    double motorSpeed = 0;                        ///< the motor's target speed, of B relative to A [rad/s]
-    double maxMotorTorque = 0;                    ///< >= 0, may be infinite; 0: no motor [N m]
     std::optional<Limit> limit = std::nullopt;    ///< of the hub's shift along the axis [m]
     std::optional<Spring> spring = std::nullopt;  ///< pulls the hub back to restShift; without it, it slides freely
     double restShift = 0;                         ///< along the axis, from the present position [m]
+    double motorSpeed = 0;                        ///< the motor's target speed, of B relative to A [rad/s]
+    double maxMotorTorque = 0;                    ///< >= 0, may be infinite; 0: no motor [N m]
     bool collideConnected = false;
     Breaking breaking = {};
 };
@@ -165,6 +165,25 @@ struct FilterJointDef {
 
 using JointDef = std::variant<RevoluteJointDef, PrismaticJointDef, DistanceJointDef, WeldJointDef, WheelJointDef,
                               PulleyJointDef, GearJointDef, MotorJointDef, TargetJointDef, FilterJointDef>;
+
+namespace detail {
+
+/// What braces without the name of a joint could mean: its members in the order of all definitions. No joint is made
+/// from it.
+struct JointOfNoKind {
+    BodyId bodyA = {}, bodyB = {};
+    Vec2 anchor{0, 0}, axis{1, 0}, groundA{0, 0}, groundB{0, 0}, anchorA{0, 0}, anchorB{0, 0};
+    std::optional<double> length = std::nullopt;
+    double ratio = 1;
+    std::optional<Limit> limit = std::nullopt;
+    std::optional<Spring> spring = std::nullopt, bending = std::nullopt;
+    double minLength = 0, maxLength = 0, restAngle = 0, restShift = 0, motorSpeed = 0, maxMotorTorque = 0,
+           maxMotorForce = 0, maxForce = 0, maxTorque = 0;
+    bool collideConnected = false;
+    Breaking breaking = {};
+};
+
+}  // namespace detail
 
 /// Throws std::invalid_argument that names the field, the value and what is allowed. Checks only what does not depend
 /// on a world: not ids, nor the distance of anchors from their bodies. field: the name of the def itself.

@@ -18,11 +18,11 @@ std::vector<SceneJoint> fullJoints() {
     const Spring spring{20, 3};
     const Breaking breaking{100, 50};
     return {
-        {"h", "a", "b", RevoluteJointDef{{}, {}, {1, 2}, -3, 4, limit, spring, 0.25, true, breaking}},
-        {"s", "a", "b", PrismaticJointDef{{}, {}, {1, 2}, {0, 2}, -3, 4, limit, spring, 0.25, true, breaking}},
+        {"h", "a", "b", RevoluteJointDef{{}, {}, {1, 2}, limit, spring, 0.25, -3, 4, true, breaking}},
+        {"s", "a", "b", PrismaticJointDef{{}, {}, {1, 2}, {0, 2}, limit, spring, 0.25, -3, 4, true, breaking}},
         {"r", "b", "a", DistanceJointDef{{}, {}, {1, 2}, {3, 4}, 5, spring, 1, 6, -7, unbounded, true, breaking}},
         {"w", "a", "b", WeldJointDef{{}, {}, {1, 2}, spring, Spring{7, 8}, true, breaking}},
-        {"v", "a", "b", WheelJointDef{{}, {}, {1, 2}, {1, 1}, -3, 4, limit, spring, 0.25, true, breaking}},
+        {"v", "a", "b", WheelJointDef{{}, {}, {1, 2}, {1, 1}, limit, spring, 0.25, -3, 4, true, breaking}},
         {"p", "a", "b", PulleyJointDef{{}, {}, {1, 9}, {2, 9}, {1, 2}, {3, 4}, 2, false, breaking}},
         {.name = "g", .def = GearJointDef{{}, {}, -2.5, breaking}, .jointA = "h", .jointB = "s"},
         {"m", "a", "b", MotorJointDef{{}, {}, Vec2(1, 2), 0.5, 6, {3, 4}, 5, 7, unbounded, false, breaking}},

@@ -38,8 +38,8 @@ std::string jointComplaint(const JointDef& def) {
 }  // namespace
 
 TEST_CASE("one of each kind of joint is valid, and what may be infinite is", "[compare][scene]") {
-    CHECK(jointComplaint(RevoluteJointDef{.maxMotorTorque = infinite, .limit = Limit{-infinite, 0}}) == "valid");
-    CHECK(jointComplaint(PrismaticJointDef{.maxMotorForce = infinite, .limit = Limit{0, infinite}}) == "valid");
+    CHECK(jointComplaint(RevoluteJointDef{.limit = Limit{-infinite, 0}, .maxMotorTorque = infinite}) == "valid");
+    CHECK(jointComplaint(PrismaticJointDef{.limit = Limit{0, infinite}, .maxMotorForce = infinite}) == "valid");
     CHECK(jointComplaint(DistanceJointDef{.length = 1, .spring = Spring{}, .maxLength = 1}) == "valid");
     CHECK(jointComplaint(WeldJointDef{.spring = Spring{1, 2}}) == "valid");
     CHECK(jointComplaint(WheelJointDef{.breaking = {.force = 5}}) == "valid");

@@ -270,7 +270,7 @@ void forEachKind(Visit&& visit) {
           DistanceJointDef{.bodyA = wallId, .bodyB = ballId, .anchorA = at, .anchorB = {0.3, 4}});
     visit("WeldJointDef", weldFields, Weld{.bodyA = wallId, .bodyB = ballId, .anchor = at});
     visit("WheelJointDef", wheelFields,
-          Wheel{.bodyA = wallId, .bodyB = ballId, .anchor = at, .motorSpeed = 1, .maxMotorTorque = 1, .spring = soft});
+          Wheel{.bodyA = wallId, .bodyB = ballId, .anchor = at, .spring = soft, .motorSpeed = 1, .maxMotorTorque = 1});
     visit(
         "PulleyJointDef", pulleyFields,
         Pulley{

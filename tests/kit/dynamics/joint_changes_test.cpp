@@ -31,7 +31,7 @@ struct Row {
             body[i] = world.add({.position = {i, -0.1 * i}, .lockX = i == 4, .shapes = {box({0.2, 0.1 + 0.1 * i})}});
         hook = world.join(RevoluteJointDef{.bodyA = fixed, .bodyB = body[0]});
         hinge = world.join(RevoluteJointDef{
-            .bodyA = body[0], .bodyB = body[1], .anchor = {0.5, 0}, .maxMotorTorque = 0.01, .spring = Spring{20, 1}});
+            .bodyA = body[0], .bodyB = body[1], .anchor = {0.5, 0}, .spring = Spring{20, 1}, .maxMotorTorque = 0.01});
         slide = world.join(PrismaticJointDef{
             .bodyA = body[1], .bodyB = body[2], .anchor = {1.5, 0}, .axis = {1, 1}, .limit = Limit{-0.2, 0.1}});
         rod = world.join(DistanceJointDef{.bodyA = body[2], .bodyB = body[3], .anchorA = {2, 0}, .anchorB = {3, 0}});

@@ -318,7 +318,7 @@ TEST_CASE("a motor at its stop that is given endless force stays there, and turn
           "[dynamics][joints][motor]") {
     using namespace plumb;
     World world({.gravity = {0, 0}});
-    PrismaticJointDef def{.anchor = {0, 2}, .motorSpeed = 3, .maxMotorForce = 50, .limit = Limit{-1, 0.5}};
+    PrismaticJointDef def{.anchor = {0, 2}, .limit = Limit{-1, 0.5}, .motorSpeed = 3, .maxMotorForce = 50};
     def.bodyA = world.add({.type = BodyType::Static});
     def.bodyB = world.add({.position = {0, 2}, .shapes = {circle(0.5), box({1, 0.2})}});
     const JointId joint = world.join(def);

@@ -196,7 +196,7 @@ TEST_CASE("setMotorSpeed does the same, to the last bit, as set with a def of th
     compare(RevoluteJointDef{.anchor = at, .maxMotorTorque = 20});
     compare(PrismaticJointDef{.anchor = at, .maxMotorForce = 20});
     compare(DistanceJointDef{.anchorA = {0, 4}, .anchorB = at, .spring = soft, .maxMotorForce = 20});
-    compare(WheelJointDef{.anchor = at, .maxMotorTorque = 20, .spring = soft});
+    compare(WheelJointDef{.anchor = at, .spring = soft, .maxMotorTorque = 20});
 }
 
 TEST_CASE("setMotorSpeed wakes a wheel that a brake has put to sleep", "[dynamics][joints][motor]") {
