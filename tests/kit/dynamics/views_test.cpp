@@ -90,6 +90,37 @@ TEST_CASE("shapes, joints and fields are listed and read through their views", "
     CHECK(c.world.shapes() == std::vector<ShapeId>{{c.lift, 0}, {c.crate, 1}});
 }
 
+TEST_CASE("a view that is kept beyond its body, shape, joint or field is refused, not read as 0",
+          "[dynamics][editing]") {
+    Crate c;
+    Body body = c.world.body(c.crate);
+    BodyShape shape = c.world.shape({c.crate, 1});
+    Joint joint = c.world.joint(c.rope);
+    Field field = c.world.field(c.wind);
+    const BodyId id = c.crate;
+    c.world.remove(c.wind);
+    c.world.remove(c.crate);
+    // The slot is used again: the view must not show another body.
+    const BodyId next = c.world.add({.position = {7, 7}, .shapes = {circle(1)}});
+    REQUIRE(next.index == id.index);
+    for (int again = 0; again < 2; ++again) {
+        CHECK_THROWS_WITH(body.position(), containsText("names no body of this world any more: it was removed"));
+        CHECK_THROWS_WITH(body.contacts(), containsText("names no body of this world any more: it was removed"));
+        CHECK_THROWS_WITH(body.setVelocity({1, 0}),
+                          containsText("names no body of this world any more: it was removed"));
+        CHECK_THROWS_WITH(body.wake(), containsText("names no body of this world any more: it was removed"));
+        CHECK_THROWS_WITH(shape.material(), containsText("names no body of this world any more: it was removed"));
+        CHECK_THROWS_WITH(shape.setTag(3), containsText("names no body of this world any more: it was removed"));
+        CHECK_THROWS_WITH(joint.reaction(), containsText("names no joint of this world any more: it was removed"));
+        CHECK_THROWS_WITH(joint.setMotorSpeed(1),
+                          containsText("names no joint of this world any more: it was removed"));
+        CHECK_THROWS_WITH(field.def(), containsText("names no field of this world any more: it was removed"));
+        c.world.step(1.0 / 60);
+    }
+    CHECK(body.id() == id);
+    CHECK(c.world.body(next).velocity().x() == 0);
+}
+
 TEST_CASE("a shape's properties are changed one by one, and the rest of it stays", "[dynamics][editing]") {
     Crate c;
     const BodyId hill = c.world.add({.type = BodyType::Static, .shapes = {chain({{0, -9}, {5, -8}, {9, -9}})}});
