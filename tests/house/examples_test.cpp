@@ -6,6 +6,9 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
+#include <string>
+#include <utility>
 
 #include "catch.h"
 #include "house/cmake_project.h"
@@ -52,6 +55,22 @@ fs::path buildExamples(const std::map<std::string, Example>& programs) {
                   .options = {std::string("-DCMAKE_CXX_COMPILER=") + PLUMB_COMPILER, "-DCMAKE_BUILD_TYPE=Release",
                               "-DCMAKE_PREFIX_PATH=" + prefix, "-DEXAMPLES=" + sources.string()}});
     return folder / "build";
+}
+
+/// What the kit's page says of the ten lines, and of the same with a joint [KB].
+std::pair<double, double> sizesOnPage() {
+    static const std::regex sizes(R"(ten lines have (\d+) KB of code, and (\d+) KB once)");
+    const std::string page = textOf(repository / "kit/README.md");
+    std::smatch match;
+    REQUIRE(std::regex_search(page, match, sizes));
+    return {std::stod(match[1]), std::stod(match[2])};
+}
+
+/// Code, tables and constants, by the second line that `size` prints.
+double kilobytesOf(const fs::path& program) {
+    const Ran ran = shell("size " + quoted(program.string()) + " | tail -n 1");
+    REQUIRE(ran.ok);
+    return std::stod(ran.output) / 1000;
 }
 
 }  // namespace
@@ -115,5 +134,8 @@ TEST_CASE("a program without joints has no code of joints in it, and one that lo
     };
     CHECK_FALSE(hasJoints("README_0"));
     CHECK(hasJoints("locked"));
+    const auto [plain, withJoints] = sizesOnPage();
+    CHECK_THAT(plain, Catch::Matchers::WithinRel(kilobytesOf(folder / "README_0"), 0.05));
+    CHECK_THAT(withJoints, Catch::Matchers::WithinRel(kilobytesOf(folder / "locked"), 0.05));
     CHECK(shell(quoted((folder / "locked").string())).output == shell(quoted((folder / "README_0").string())).output);
 }

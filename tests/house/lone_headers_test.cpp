@@ -20,8 +20,8 @@ namespace {
 std::string userCompiler(const CmakeProject& project) {
     configureProject(project);
     for (const CompileCommand& each : compileCommandsIn(project.build))
-        if (each.file.ends_with("/tests/install/main.cpp")) return each.command.substr(0, each.command.find(" -o "));
-    FAIL("no command for tests/install/main.cpp");
+        if (each.file.ends_with("/kit/example/main.cpp")) return each.command.substr(0, each.command.find(" -o "));
+    FAIL("no command for kit/example/main.cpp");
     return "";
 }
 

@@ -124,18 +124,13 @@ std::string cmakeLinesOf(const std::string& readme) {
     return "";
 }
 
-/// A project of the README's lines; what they leave out that any project has is put around them.
+/// A project of the README's lines, and nothing else.
 void buildTenLinesWith(const fs::path& prefix, const fs::path& folder) {
-    const std::string readme = textOf(repository / "README.md"), lines = cmakeLinesOf(readme);
+    const std::string readme = textOf(repository / "README.md");
     REQUIRE_FALSE(examplesOn(readme).empty());
     fs::create_directories(folder);
     std::ofstream(folder / "main.cpp") << examplesOn(readme).front().program;
-    std::ofstream list(folder / "CMakeLists.txt");
-    if (lines.find("project(") == std::string::npos)
-        list << "cmake_minimum_required(VERSION 3.22)\nproject(game LANGUAGES CXX)\n";
-    if (lines.find("add_executable(") == std::string::npos) list << "add_executable(game main.cpp)\n";
-    list << lines;
-    list.close();
+    std::ofstream(folder / "CMakeLists.txt") << cmakeLinesOf(readme);
     buildProject({.source = folder, .build = folder / "build", .options = {"-DCMAKE_PREFIX_PATH=" + prefix.string()}});
 }
 
@@ -176,6 +171,15 @@ TEST_CASE("a command opens a window if it names a game, and nothing that does wi
     CHECK(windowOf("./games/run maze --help").empty());
     CHECK(windowOf("./games/run maze --headless --ticks 60").empty());
     CHECK(windowOf("./compare/run list").empty());
+}
+
+TEST_CASE("the folder to copy holds the README's lines", "[house]") {
+    const std::string readme = textOf(repository / "README.md");
+    CHECK(textOf(repository / "kit/example/CMakeLists.txt") ==
+          "# SPDX-License-Identifier: MIT\n" + cmakeLinesOf(readme));
+    REQUIRE_FALSE(examplesOn(readme).empty());
+    CHECK(textOf(repository / "kit/example/main.cpp") ==
+          "// SPDX-License-Identifier: MIT\n" + examplesOn(readme).front().program);
 }
 
 TEST_CASE("the pages have a recipe for each thing that the repository is for", "[house]") {

@@ -31,7 +31,7 @@ UserBuild configured(const CmakeProject& project) {
     configureProject(project);
     UserBuild build;
     for (const CompileCommand& each : compileCommandsIn(project.build)) {
-        if (each.file.ends_with("/tests/install/main.cpp"))
+        if (each.file.ends_with("/kit/example/main.cpp"))
             build.own = each;
         else
             build.kit.push_back(each);
