@@ -88,9 +88,9 @@ Polygon boxPolygon(const Vec2& halfSize, const Vec2& center = {0, 0});
 
 /// Throws std::invalid_argument unless the shape is valid for a body; field is its name in the message.
 void validate(const Shape& shape, const std::string& field);
-template <detail::AlternativeOf<Shape> Outline>
-void validate(const Outline& outline, const std::string& field) {
-    validate(Shape(outline), field);
+template <detail::AlternativeOf<Shape> Alternative>
+void validate(const Alternative& shape, const std::string& field) {
+    validate(Shape(shape), field);
 }
 
 }  // namespace plumb

@@ -40,13 +40,13 @@ const NameSet arguments{"Aabb",       "BodyId",  "Capacity", "FieldId", "ImpactL
                         "ImpactSide", "JointId", "Rot",      "ShapeId", "Transform"};
 /// Of the layers beneath World, for whoever builds on them: asked a million times a step, they take what they are
 /// given.
-const NameSet unchecked{"BlockTree.View", "Bounds", "BoxBlock", "BoxProbe",    "Convex",
-                        "FilterKey",      "Proxy",  "RayPart",  "RelativePose"};
+const NameSet unchecked{"BlockTree.View", "JointOfNoKind", "Bounds", "BoxBlock", "BoxProbe",
+                        "Convex",         "FilterKey",     "Proxy",  "RayPart",  "RelativePose"};
 
 const NameSet worldClasses{"World", "Body",      "BodyView", "BodyShape", "BodyShapeView",
                            "Joint", "JointView", "Field",    "FieldView"};
-const NameSet lowerClasses{"BlockTree", "BoundsRounding", "Bvh",       "Vec2fArray", "FunctionRef",
-                           "Lock",      "MortonSort",     "RadixSort", "Random",     "Space"};
+const NameSet lowerClasses{"BasicVec2", "BlockTree",  "BoundsRounding", "Bvh",    "Vec2fArray", "FunctionRef",
+                           "Lock",      "MortonSort", "RadixSort",      "Random", "Space"};
 
 /// Of the layers beneath, as said above; what they do with numbers that are none is in their headers.
 const NameSet uncheckedFunctions{
@@ -98,6 +98,7 @@ const std::set<std::pair<std::string, std::string>> otherwise{{"Body.setCanSleep
                                                               {"World.contains", "shape"},
                                                               {"World.contains", "joint"},
                                                               {"box", "material"},
+                                                              {"box", "double"},  // is told by the compiler
                                                               {"outline", "material"},
                                                               {"roundedBox", "material"},
                                                               {"roundedBox", "radius"},
