@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <games/artillery/artillery.h>
 
+#include <games/artillery/chart.h>
 #include <games/artillery/figures.h>
 #include <games/artillery/hud.h>
 #include <games/artillery/scenery.h>
+#include <games/artillery/shell_mark.h>
 #include <games/artillery/sounds.h>
 #include <games/frame/layers.h>
 
@@ -55,6 +57,7 @@ void Artillery::update(const Input& input) {
         traces_.update(match_.battle());
     }
     eye_.update(match_.battle());
+    if (answer_.update(match_, (input.now() & ~input.before()) != 0)) play({Wave::Triangle, 240, 180, 0.09, 0.25});
     if (match_.battle().phase() == Phase::Over && match_.battle().phaseTicks() % 25 == 5) celebrate();
 }
 
@@ -92,8 +95,11 @@ void Artillery::draw(Canvas& canvas) const {
     const double seconds = (static_cast<double>(ticks_) - 1 + canvas.between()) * tickSeconds;
     const Figures figures{battle, trail_, seconds, recoil_};
     const bool aiming = battle.phase() == Phase::Aim && match_.isPersonsTurn();
-    drawBackdrop(canvas, eye_, palette, seconds, drift_);
-    canvas.look(eye_.camera(canvas.between()));
+    canvas.screen();
+    const Arrangement arrangement = arrangementIn(canvas.visible());
+    const Camera camera = eye_.camera(canvas.between(), arrangement);
+    drawBackdrop(canvas, camera, palette, seconds, drift_);
+    canvas.look(camera);
     if (aiming) traces_.draw(canvas, battle.crew());
     drawEarth(canvas, battle.terrain(), palette);
     drawProps(canvas, figures);
@@ -105,17 +111,24 @@ void Artillery::draw(Canvas& canvas) const {
     drawTags(canvas, figures);
     effects_.drawLabels(canvas);
     canvas.layer(hudLayer);
-    if (canvas.behind() != Behind::Title) drawWriting(canvas, seconds);
-    canvas.look(eye_.camera(canvas.between()));
+    if (canvas.behind() != Behind::Title) drawWriting(canvas, arrangement, figures);
+    canvas.look(camera);
 }
 
-void Artillery::drawWriting(Canvas& canvas, double seconds) const {
+void Artillery::drawWriting(Canvas& canvas, const Arrangement& arrangement, const Figures& figures) const {
+    const Battle& battle = match_.battle();
+    const Aabb seen = canvas.visible();
+    if (battle.shell()) {
+        const Vec2 at = trail_.pose(battle.world(), battle.shell()->body, canvas.between()).position;
+        drawShellMark(canvas, battle, at, arrangement);
+    }
+    canvas.screen();
+    if (arrangement.hasChart) drawChart(canvas, battle, paletteOf(match_.stage()), seen, arrangement.chartTop);
     const std::string stage(stages[static_cast<std::size_t>(match_.stage())].name);
     const std::string rivals = match_.rival() == "friend" ? "a friend" : "a " + match_.rival() + " crew";
-    const Progress progress = match_.progress();
-    drawHud(canvas, {match_.battle(), progress.score, stage, rivals, match_.isPersonsTurn(), seconds});
+    drawHud(canvas, {match_, stage, rivals, answer_.ticksLeft(), figures.seconds}, arrangement);
     // After the last battle the frame shows the result instead.
-    if (match_.battle().phase() == Phase::Over && progress.outcome == Outcome::Running) drawEnd(canvas);
+    if (battle.phase() == Phase::Over && match_.progress().outcome == Outcome::Running) drawEnd(canvas);
 }
 
 void Artillery::drawEnd(Canvas& canvas) const {
@@ -170,6 +183,7 @@ GameInfo info() {
                   .text = paper,
                   .quiet = Color::hex(0xc9b8d0),
                   .accent = gold};
+    game.fillsUpright = true;
     game.make = [](const GameSetup& setup) { return std::make_unique<Artillery>(setup); };
     game.computer = [](const GameSetup& setup) { return std::make_unique<Computer>(setup); };
     return game;

@@ -4,7 +4,9 @@
 #include <games/artillery/aim_look.h>
 #include <games/artillery/effects.h>
 #include <games/artillery/eye.h>
+#include <games/artillery/figures.h>
 #include <games/artillery/match.h>
+#include <games/artillery/turn_sign.h>
 #include <games/frame/pose_trail.h>
 #include <plumb/math/random.h>
 
@@ -26,7 +28,7 @@ public:
 
 private:
     void notice(const std::vector<Happening>& happenings);
-    void drawWriting(Canvas& canvas, double seconds) const;
+    void drawWriting(Canvas& canvas, const Arrangement& arrangement, const Figures& figures) const;
     void drawEnd(Canvas& canvas) const;
 
     void celebrate();
@@ -39,6 +41,7 @@ private:
     Eye eye_;
     Effects effects_;
     Traces traces_;
+    Answer answer_;
     std::int64_t ticks_ = 0;
     double recoil_ = 0, drift_ = 0;  ///< drift: how far the wind has blown [m]
     Random sparks_{3};

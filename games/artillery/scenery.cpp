@@ -152,17 +152,24 @@ void drawBlades(Canvas& canvas, const Terrain& terrain, const Palette& palette, 
     }
 }
 
+/// The camera, raised or lowered so that the horizon is where the other camera has it.
+Camera withHorizonOf(const Camera& other, Camera camera) {
+    camera.center = {camera.center.x(), horizon + (other.center.y() - horizon) * camera.height / other.height};
+    return camera;
+}
+
 }  // namespace
 
-void drawBackdrop(Canvas& canvas, const Eye& eye, const Palette& palette, double seconds, double drift) {
-    canvas.look(eye.farCamera(canvas.between(), 0.15));
+void drawBackdrop(Canvas& canvas, const Camera& camera, const Palette& palette, double seconds, double drift) {
+    canvas.look(farCamera(camera, 0.15));
     drawSky(canvas, palette);
     if (palette.stars) drawStars(canvas, seconds);
     drawClouds(canvas, palette, drift);
     if (!palette.stars) drawGulls(canvas, seconds, drift);
-    canvas.look(eye.farCamera(canvas.between(), 0.3));
+    const Camera near = farCamera(camera, 0.45);
+    canvas.look(withHorizonOf(near, farCamera(camera, 0.3)));
     drawHills(canvas, palette.farHills, 2.6, 9, 1.3);
-    canvas.look(eye.farCamera(canvas.between(), 0.45));
+    canvas.look(near);
     drawHills(canvas, palette.nearHills, 1.8, 6, 4.1);
     drawFarSea(canvas, palette, seconds);
 }
