@@ -16,6 +16,7 @@ struct Scene {
     const Palette& palette;
     double time = 0;     ///< elapsed, with the current fraction of a tick [s]
     double between = 1;  ///< the same as Canvas::between()
+    Camera camera{};     ///< of the stage
     double stageTime() const { return view.stageTime(between); }
 
     Vec2 at(BodyId body) const { return trail.pose(stage.world(), body, between).position; }

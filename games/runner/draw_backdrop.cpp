@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <games/runner/arrangement.h>
 #include <games/runner/draw.h>
 
 namespace plumb::games::runner {
@@ -25,6 +26,11 @@ struct Range {
     double rise;
     double seed;
 };
+
+/// How much lower than in a wide window the hills are [units of the screen].
+double dropOf(const Aabb& screen) {
+    return isUpright(screen) ? 0.36 * (screen.upper.y() - screenHeight) : 0;
+}
 
 void drawRange(Canvas& canvas, const Range& range, const Color& color, double shift, double up) {
     const Aabb seen = canvas.visible();
@@ -59,13 +65,13 @@ void drawCloud(Canvas& canvas, const Vec2& at, double size, const Color& color) 
 
 void drawClouds(Canvas& canvas, const Scene& scene, double shift) {
     const Aabb seen = canvas.visible();
-    const double wide = 980;
+    const double wide = 980, drop = dropOf(seen), top = drop > 0 ? seen.lower.y() + uprightBand + 20 : 34;
     for (int i = 0; i < 8; ++i) {
         const double along = i * wide / 8 + 60 * chance(i) - shift * 0.12 + scene.time * (3 + 3 * chance(i + 40));
         const double x = along - std::floor((along + 170) / wide) * wide;
-        drawCloud(canvas, {x, 34 + 110 * chance(i + 20)}, 22 + 26 * chance(i + 60), scene.palette.cloud);
+        drawCloud(canvas, {x, top + (110 + 2 * drop) * chance(i + 20)}, 22 + 26 * chance(i + 60), scene.palette.cloud);
         if (x + wide < seen.upper.x() + 100)
-            drawCloud(canvas, {x + wide, 34 + 110 * chance(i + 20)}, 30, scene.palette.cloud);
+            drawCloud(canvas, {x + wide, top + (110 + 2 * drop) * chance(i + 20)}, 30, scene.palette.cloud);
     }
 }
 
@@ -74,7 +80,7 @@ void drawStars(Canvas& canvas, double time) {
     for (int i = 0; i < 90; ++i) {
         const double x = seen.lower.x() + (seen.upper.x() - seen.lower.x()) * chance(i);
         const double glow = 0.35 + 0.65 * std::fabs(std::sin(time * (0.5 + chance(i + 300)) + i));
-        canvas.circle({x, seen.lower.y() + 210 * chance(i + 100)}, 0.5 + 0.8 * chance(i + 200),
+        canvas.circle({x, seen.lower.y() + (210 + 3 * dropOf(seen)) * chance(i + 100)}, 0.5 + 0.8 * chance(i + 200),
                       Color::hex(0xdfe4ff).faded(glow));
     }
 }
@@ -98,21 +104,23 @@ void drawCrescent(Canvas& canvas, const Vec2& center, const Color& color) {
 
 void drawBackdrop(Canvas& canvas, const Scene& scene) {
     const Palette& palette = scene.palette;
-    const Vec2 center = scene.view.camera(scene.between).center;
+    const Vec2 center = scene.camera.center;
     const double shift = center.x() * 32, up = (center.y() - 6) * 32;
     canvas.screen();
-    canvas.clear(Paint::linear({0, 0}, palette.skyHigh, {0, 300}, palette.skyLow));
+    const Aabb seen = canvas.visible();
+    const double drop = dropOf(seen), skyTop = drop > 0 ? seen.lower.y() : 0;
+    canvas.clear(Paint::linear({0, skyTop}, palette.skyHigh, {0, 300 + drop}, palette.skyLow));
     if (palette.dark > 0) drawStars(canvas, scene.time);
-    const Vec2 light(palette.lightX * screenWidth, palette.lightY * screenHeight);
+    const Vec2 light(palette.lightX * screenWidth, palette.lightY * screenHeight + drop);
     canvas.circle(light, 150, Paint::radial(light, palette.light.faded(0.5), 150, palette.light.faded(0)));
     if (palette.dark > 0)
         drawCrescent(canvas, light, palette.light);
     else
         canvas.circle(light, 30, palette.light);
     drawClouds(canvas, scene, shift);
-    drawRange(canvas, {0.06, 225, 34, 0.4}, palette.far, shift, up);
-    drawRange(canvas, {0.14, 262, 30, 1.9}, palette.middle, shift, up);
-    const Range near{0.28, 306, 22, 4.1};
+    drawRange(canvas, {0.06, 225 + drop, 34, 0.4}, palette.far, shift, up);
+    drawRange(canvas, {0.14, 262 + drop, 30, 1.9}, palette.middle, shift, up);
+    const Range near{0.28, 306 + drop, 22, 4.1};
     drawTrees(canvas, near, palette.near, shift, up);
     drawRange(canvas, near, palette.near, shift, up);
 }

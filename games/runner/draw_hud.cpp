@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include <games/runner/arrangement.h>
 #include <games/runner/draw.h>
 
 namespace plumb::games::runner {
@@ -28,6 +29,12 @@ void drawLives(Canvas& canvas, const Vec2& at, int lives) {
     label(canvas, at + Vec2(12, 0), "x " + std::to_string(lives), 14, plain);
 }
 
+void drawCoins(Canvas& canvas, const Vec2& at, int coins) {
+    canvas.ellipse(at, {6, 8}, gold);
+    canvas.ellipse(at, {3.6, 5.4}, stroke(Color::hex(0xb88a1e), 1.2));
+    label(canvas, at + Vec2(12, 0), "x " + padded(coins, 2), 14, plain);
+}
+
 void drawSuns(Canvas& canvas, const Vec2& at, const std::vector<bool>& suns) {
     for (std::size_t i = 0; i < suns.size() && i < 5; ++i) {
         const Vec2 center = at + Vec2(20.0 * static_cast<double>(i), 0);
@@ -43,15 +50,10 @@ void drawSuns(Canvas& canvas, const Vec2& at, const std::vector<bool>& suns) {
     }
 }
 
-}  // namespace
-
-void drawHud(Canvas& canvas, const Hud& hud) {
-    canvas.screen();
+void drawWideHud(Canvas& canvas, const Hud& hud) {
     canvas.rect({8, 8}, {624, 28}, panel.faded(0.62), 14);
     drawLives(canvas, {26, 23}, hud.lives);
-    canvas.ellipse({88, 22}, {6, 8}, gold);
-    canvas.ellipse({88, 22}, {3.6, 5.4}, stroke(Color::hex(0xb88a1e), 1.2));
-    label(canvas, {100, 22}, "x " + padded(hud.coins, 2), 14, plain);
+    drawCoins(canvas, {88, 22}, hud.coins);
     drawSuns(canvas, {164, 22}, hud.suns);
     label(canvas, {320, 22}, padded(hud.score, 6), 18, gold, Align::Center);
     label(canvas, {438, 22}, "Level " + std::to_string(hud.level), 14, plain, Align::Center);
@@ -59,29 +61,54 @@ void drawHud(Canvas& canvas, const Hud& hud) {
     label(canvas, {618, 22}, std::to_string(static_cast<int>(hud.seconds)) + " s", 14, plain, Align::Right);
 }
 
+/// The same in two lines, and larger. top: the upper edge of the screen.
+void drawUprightHud(Canvas& canvas, const Hud& hud, double top) {
+    constexpr double large = 1.7;
+    canvas.rect({8, top + 8}, {624, uprightBand - 16}, panel.faded(0.62), 16);
+    const auto there = canvas.place({.position = {0, top}, .scale = {large, large}});
+    drawLives(canvas, {21, 19.5}, hud.lives);
+    drawCoins(canvas, {93, 18.5}, hud.coins);
+    label(canvas, {364, 18.5}, padded(hud.score, 6), 20, gold, Align::Right);
+    drawSuns(canvas, {23, 43.5}, hud.suns);
+    label(canvas, {148, 43.5}, "Level " + std::to_string(hud.level), 13, plain);
+    label(canvas, {246, 43.5}, std::string(hud.profile), 12, plain.faded(0.75));
+    label(canvas, {364, 43.5}, std::to_string(static_cast<int>(hud.seconds)) + " s", 14, plain, Align::Right);
+}
+
+}  // namespace
+
+void drawHud(Canvas& canvas, const Hud& hud) {
+    canvas.screen();
+    const Aabb screen = canvas.visible();
+    if (isUpright(screen)) return drawUprightHud(canvas, hud, screen.lower.y());
+    drawWideHud(canvas, hud);
+}
+
 void drawCard(Canvas& canvas, const Card& card, double share) {
     if (share <= 0) return;
     canvas.screen();
-    const double top = 44, height = 50 + 19 * static_cast<double>(card.lines.size());
     const Aabb seen = canvas.visible();
+    const bool upright = isUpright(seen);
+    const double large = upright ? 1.5 : 1, top = upright ? seen.lower.y() + uprightBand + 8 : 44;
+    const double height = large * (50 + 19 * static_cast<double>(card.lines.size()));
     const double width = (seen.upper.x() - seen.lower.x()) * share;
     canvas.rect({seen.lower.x(), top}, {width, height}, panel.faded(0.86));
     for (const double edge : {top, top + height - 3}) canvas.rect({seen.lower.x(), edge}, {width, 3}, gold);
     if (share < 1) return;
-    TextStyle style{.size = 30,
+    TextStyle style{.size = 30 * large,
                     .color = plain,
                     .align = Align::Center,
                     .baseline = Baseline::Middle,
                     .weight = Weight::Heavy,
                     .fitWidth = 560};
-    canvas.text({screenWidth / 2, top + 26}, card.title, style);
-    style.size = 15;
+    canvas.text({screenWidth / 2, top + 26 * large}, card.title, style);
+    style.size = 15 * large;
     style.color = gold;
     style.weight = Weight::Bold;
-    double y = top + 52;
+    double y = top + 52 * large;
     for (const std::string& line : card.lines) {
         canvas.text({screenWidth / 2, y}, line, style);
-        y += 19;
+        y += 19 * large;
     }
 }
 

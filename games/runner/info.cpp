@@ -24,6 +24,7 @@ GameInfo info() {
                   .text = Color::hex(0xfff6e6),
                   .quiet = Color::hex(0xcfc3d6),
                   .accent = Color::hex(0xffb84d)};
+    info.fillsUpright = true;
     info.make = [](const GameSetup& setup) { return std::make_unique<Runner>(setup); };
     info.computer = computer;
     return info;

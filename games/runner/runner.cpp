@@ -147,9 +147,11 @@ void Runner::goOn() {
 void Runner::draw(Canvas& canvas) const {
     const double between = canvas.between();
     const double time = (view_.ticks() - 1 + between) * tickSeconds;
-    const Scene scene{*stage_, trail_, view_, paletteOf(stage_->level().sky), time, between};
+    canvas.screen();
+    const Camera camera = view_.cameraIn(canvas.visible(), between);
+    const Scene scene{*stage_, trail_, view_, paletteOf(stage_->level().sky), time, between, camera};
     drawBackdrop(canvas, scene);
-    canvas.look(view_.camera(between));
+    canvas.look(camera);
     drawPlaces(canvas, scene);
     drawLifts(canvas, scene);
     drawTiles(canvas, scene);
@@ -169,7 +171,7 @@ void Runner::draw(Canvas& canvas) const {
                  suns_, setup_.option("profile") == "1985" ? "1985" : "modern"});
     if (canvas.behind() == Behind::Nothing) drawCards(canvas);
     // The debug view is drawn with the last camera.
-    canvas.look(view_.camera(between));
+    canvas.look(camera);
 }
 
 void Runner::drawCurtain(Canvas& canvas, const Vec2& hero) const {

@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include <games/runner/arrangement.h>
+
 namespace plumb::games::runner {
 namespace {
 
 constexpr double height = 11.5;  ///< of the camera's view [m]
 constexpr double width = height * screenWidth / screenHeight;
-constexpr double lookAhead = 2.6;  ///< at full speed [m]
+constexpr double uprightWidth = 13;  ///< of the view in an upright window [m]
+constexpr double soilBelow = 1.6;    ///< what such a view shows below the map [m]
+constexpr double lookAhead = 2.6;    ///< at full speed [m]
 
 /// Keeps the view inside the map; centres a map that is smaller than the view.
 double within(double center, double extent, double size) {
@@ -25,6 +29,9 @@ void View::reset(const Stage& stage) {
     center_ = {within(stage.heroAt().x(), width, stage.tiles().columns()),
                within(floor_ + 1.4, height, stage.tiles().rows())};
     before_ = center_;
+    rows_ = stage.tiles().rows();
+    upright_ = {within(stage.heroAt().x(), uprightWidth, stage.tiles().columns()), floor_ + 1.4};
+    uprightBefore_ = upright_;
 }
 
 void View::hear(const Event& event) {
@@ -40,6 +47,7 @@ void View::hear(const Event& event) {
 void View::update(const Stage& stage) {
     ++ticks_;
     before_ = center_;
+    uprightBefore_ = upright_;
     const Vec2 hero = stage.heroAt();
     const Slide& slide = stage.hero().mover.slide();
     moves_ = stage.ticks() != stageTicks_;
@@ -58,16 +66,30 @@ void View::update(const Stage& stage) {
     const Vec2 wanted(within(hero.x() + ahead_, width, stage.tiles().columns()),
                       within(floor_ + 1.4, height, stage.tiles().rows()));
     center_ += Vec2((wanted.x() - center_.x()) * 0.2, (wanted.y() - center_.y()) * 0.16);
+    const double ahead = within(hero.x() + 1.3 * ahead_, uprightWidth, stage.tiles().columns());
+    upright_ += Vec2((ahead - upright_.x()) * 0.2, (floor_ + 1.4 - upright_.y()) * 0.16);
 }
 
 double View::stageTime(double between) const {
     return (static_cast<double>(stageTicks_) - (moves_ ? 1 - between : 0)) * tickSeconds;
 }
 
-Camera View::camera(double between) const {
-    const Vec2 center = before_ + (center_ - before_) * between;
+Vec2 View::shaken(const Vec2& center) const {
     const double turn = ticks_ * 1.9;
-    return {.center = center + shake_ * Vec2(std::sin(turn), std::cos(1.3 * turn)), .height = height};
+    return center + shake_ * Vec2(std::sin(turn), std::cos(1.3 * turn));
+}
+
+Camera View::camera(double between) const {
+    return {.center = shaken(before_ + (center_ - before_) * between), .height = height};
+}
+
+Camera View::cameraIn(const Aabb& screen, double between) const {
+    if (!isUpright(screen)) return camera(between);
+    const double unit = uprightWidth / screenWidth, seen = (screen.upper.y() - screen.lower.y()) * unit;
+    const double lowest = seen / 2 - soilBelow, highest = rows_ + uprightBand * unit - seen / 2;
+    Vec2 center = uprightBefore_ + (upright_ - uprightBefore_) * between;
+    center = {center.x(), std::clamp(center.y(), lowest, std::max(lowest, highest))};
+    return {.center = shaken(center), .height = uprightWidth * screenHeight / screenWidth};
 }
 
 }  // namespace plumb::games::runner

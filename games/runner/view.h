@@ -13,6 +13,8 @@ public:
     void update(const Stage& stage);  ///< one tick
 
     Camera camera(double between) const;
+    /// The same, but closer in an upright window. screen: the visible part, in units of the screen.
+    Camera cameraIn(const Aabb& screen, double between) const;
     double squash() const { return squash_; }  ///< of the hero: above 0 flat and wide, below 0 tall and thin [-]
     double lean() const { return lean_; }      ///< of its flame, away from the direction of motion [-]
     double stride() const { return stride_; }  ///< distance it has walked [m]
@@ -22,8 +24,12 @@ public:
     int ticks() const { return ticks_; }
 
 private:
+    Vec2 shaken(const Vec2& center) const;
+
     Vec2 before_{0, 0}, center_{0, 0};
-    double floor_ = 0;  ///< height that the camera follows [m]
+    Vec2 uprightBefore_{0, 0}, upright_{0, 0};  ///< the same for an upright window
+    double rows_ = 0;                           ///< height of the map [m]
+    double floor_ = 0;                          ///< height that the camera follows [m]
     double ahead_ = 0;
     double squash_ = 0, squashSpeed_ = 0;
     double lean_ = 0, stride_ = 0, shake_ = 0;
