@@ -227,7 +227,7 @@ TopPlaces topPlacesOf(const Arrangement& arrangement) {
     const double top = arrangement.screen.lower.y() + 8;
     return {placed(8, top, 1.92),        placed(116.5, top + 81, 1.75),
             placed(433, top + 81, 1.6),  placed(middle, arrangement.field.lower.y() + 24, 1.7),
-            placed(254, top + 127, 1.5), placed(20, top + 127, 1.5)};
+            placed(254, top + 127, 1.53), placed(20, top + 127, 1.53)};
 }
 
 }  // namespace

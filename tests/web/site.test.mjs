@@ -234,22 +234,24 @@ test('on a phone or tablet, upright and turned, no control covers the picture or
 }));
 
 /** The parts of the picture's width at which a row of pixels first and last differs from its edge. */
-const drawnWidth = page => page.evaluate(() => {
+const drawnWidth = (page, at) => page.evaluate(at => {
   const canvas = document.querySelector('canvas'), { width, height } = canvas;
-  const row = canvas.getContext('2d').getImageData(0, Math.round(0.3 * height), width, 1).data;
+  const row = canvas.getContext('2d').getImageData(0, Math.round(at * height), width, 1).data;
   const differs = [...Array(width).keys()].filter(x => [0, 1, 2].some(i => Math.abs(row[4 * x + i] - row[i]) > 8));
   return [differs[0] / width, differs.at(-1) / width];
-});
+}, at);
 
-test('on an upright phone the maze is as wide as the display, and nobody is asked to turn it', () => served(base =>
-  openedGame(`${base}maze/`, { viewport: { width: 390, height: 844 }, stopped: true, ...touch }, async page => {
-    assert.equal(await page.textContent('#status'), '');
-    for (const press of ['press', 'release', 'press', 'release']) await page.evaluate(what => { gamePage.devices[what]('Enter'); pump(30); }, press);
-    assert.equal(await page.evaluate(() => gamePage.game.screen()), 'play');
-    await page.evaluate(() => pump(10));
-    const [left, right] = await drawnWidth(page);
-    assert.ok(left < 0.05 && right > 0.95, `${left} to ${right}`);
-  })));
+test('on an upright phone each game is as wide as the display, and nobody is asked to turn it', () => served(async base => {
+  for (const game of games)
+    await openedGame(`${base}${game}/`, { viewport: { width: 390, height: 844 }, stopped: true, ...touch }, async page => {
+      assert.equal(await page.textContent('#status'), '', game);
+      for (const press of ['press', 'release', 'press', 'release']) await page.evaluate(what => { gamePage.devices[what]('Enter'); pump(30); }, press);
+      assert.equal(await page.evaluate(() => gamePage.game.screen()), 'play', game);
+      await page.evaluate(() => pump(60));
+      const [left, right] = await drawnWidth(page, 0.1);
+      assert.ok(left < 0.05 && right > 0.95, `${game}: ${left} to ${right}`);
+    });
+}));
 
 test('the picture has the pixels of the display, also after the window was turned', () => served(base =>
   openedGame(`${base}runner/`, { viewport: { width: 500, height: 700 }, deviceScaleFactor: 2 }, async page => {
