@@ -140,7 +140,7 @@ TEST_CASE("the picture says whose turn it is", "[games][artillery]") {
         const Buttons shot = held.personAims() && held.battle().phaseTicks() < 9 ? fireButton : 0;
         held.hold(shot);
         friends.hold(friends.battle().phase() == Phase::Aim && friends.battle().phaseTicks() < 9 ? fireButton : 0);
-        if (tick % 15 != 0 || held.battle().phase() == Phase::Ready) continue;
+        if (tick % 3 != 0 || held.battle().phase() == Phase::Ready) continue;
         for (const PixelSize size : {desktop, phone}) {
             REQUIRE(tells(held.game(), size, "Your turn") == held.personAims());
             REQUIRE(tells(held.game(), size, "The Tides aim") == held.rivalAims());
