@@ -4,7 +4,7 @@
 namespace plumb::games::artillery {
 namespace {
 
-constexpr double leastUpright = 580, leastWithChart = 720;  ///< height of the window [units of the screen]
+constexpr double leastUpright = 580, leastWithChart = 660;  ///< height of the window [units of the screen]
 constexpr double wideTop = 78, wideBottom = 64;             ///< what the displays cover [units of the screen]
 constexpr double uprightTop = 164, uprightBottom = 106;     ///< without the small picture [units of the screen]
 
