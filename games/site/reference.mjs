@@ -10,8 +10,10 @@ import { escaped } from './template.mjs';
 
 const types = ['struct', 'class', 'enum', 'interface', 'type', 'concept'];
 
-/** Is it for users: named, public, no part of the kit's own work, and no definition of what is declared elsewhere? */
+/** Is it for users: named, public, no part of the kit's own work, no definition of what is declared elsewhere, and not
+ * there only to say what to write instead? */
 const isPublic = one => one.note || (one.access === 'public' && one.names.length > 0 && !one.forward && one.kind !== 'other' &&
+  !one.refused && !/\)\s*= delete$/.test(one.code) &&
   !/\bdetail::|~/.test(one.code.split(' : ')[0]) && one.names.every(name => !name.includes('<') && !one.code.includes(`::${name}(`) &&
   !one.code.includes(`::${name}{`) && name !== 'operator='));
 

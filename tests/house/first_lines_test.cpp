@@ -4,7 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include <plumb/shapes/tile_text.h>
+
 #include "catch.h"
+#include "house/repository.h"
 #include "house/user_program.h"
 
 using namespace plumb::test;
@@ -104,6 +107,14 @@ TEST_CASE("a wrong line does not compile, and a sentence says what to write", "[
         }
         CHECK(
             compiled(compiler, "-fsyntax-only", programOf("world.join(RevoluteJointDef{.bodyA = a, .bodyB = b});")).ok);
+    }
+}
+
+TEST_CASE("the page on shapes lists every character that stands for a tile", "[house]") {
+    const std::string page = textOf(repository / "kit/plumb/shapes/README.md");
+    for (const auto& [sign, tile] : plumb::standardLegend()) {
+        CAPTURE(sign);
+        CHECK_THAT(page, containsText(sign == ' ' ? std::string("or a space") : std::string("`") + sign + "`"));
     }
 }
 

@@ -86,8 +86,8 @@ class Reader {
           const type = container.exec(withoutTemplate(code.trim()))?.[1];
           if (type) return this.container(type, made);
           if (beginsFunction(code.trim())) {
-            this.skipBody();
-            return made();
+            const body = this.skipBody();
+            return made({ refused: /\bdetail::never\b/.test(body) });
           }
         }
         if ('([{'.includes(letter)) ++depth;
@@ -105,12 +105,14 @@ class Reader {
   }
 
   skipBody() {
+    const start = this.at;
     for (let depth = 1; depth > 0 && this.at < this.text.length;) {
       if (this.next(/\/\/.*|\/\*[^]*?\*\/|"(?:\\.|[^"\\])*"|(?<!\w)'(?:\\.|[^'\\])+'/y)) continue;
       const letter = this.text[this.at++];
       if (letter === '{') ++depth;
       if (letter === '}') --depth;
     }
+    return this.text.slice(start, this.at);
   }
 
   /** The rest of the line, and lines that go on with it. */
@@ -178,7 +180,8 @@ function named(list, ofEnum) {
 }
 
 /**
- * A list of { kind, names, code, doc, after, access, members }, where doc are the lines before a declaration, and after
- * those behind it; between them { note }, the lines of other comments.
+ * A list of { kind, names, code, doc, after, access, members, refused }, where doc are the lines before a declaration,
+ * after those behind it, and refused says that who calls it is told to write something else; between them { note }, the
+ * lines of other comments.
  */
 export const declarationsIn = text => named(new Reader(text).block('public', false), false);
