@@ -56,12 +56,11 @@ private:
     void drawFrame(const Aabb& seen) const {
         const Vec2 left = place(seen.lower), right = place(seen.upper);
         const double high = std::max(top_ + 1, right.y()), low = std::min(top_ + chartHeight - 1, left.y());
+        if (low - high < 4) return;  // the camera follows a high shell
         canvas_.rect({left.x(), high}, {right.x() - left.x(), low - high}, stroke(paper.faded(0.7), 1.5), 4);
     }
 
-    void drawShell(const Vec2& at) const {
-        canvas_.circle(within(place(at), 7), 5, paper);
-    }
+    void drawShell(const Vec2& at) const { canvas_.circle(within(place(at), 7), 5, paper); }
 
     Canvas& canvas_;
     const Battle& battle_;

@@ -9,6 +9,7 @@ namespace plumb::games::artillery {
 namespace {
 
 constexpr double nearHeight = 25, readyHeight = 31;  ///< [m]
+constexpr double belowDisplays = 0.79;               ///< share of a wide picture below the displays at its top [-]
 constexpr double uprightLowest = -2.5;               ///< of the lower edge of an upright field [m]
 constexpr double uprightReach = 38;                  ///< from the middle to the edge of an upright picture [m]
 constexpr double slow = 0.06, quick = 0.12;          ///< share of the remaining way per tick: zoom in, zoom out [-]
@@ -34,7 +35,7 @@ Camera following(const Battle& battle) {
     const BodyView shell = battle.world().body(battle.shell()->body);
     const Vec2 at = shell.position();
     if (shell.velocity().y() < 0 && at.y() < fieldBottom + readyHeight - 10) return closeUp(at, readyHeight);
-    return wholeField(std::max(fieldHeight, at.y() + 4 - fieldBottom));
+    return wholeField(std::max(fieldHeight, (at.y() + 1 - fieldBottom) / belowDisplays));
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ void drawSign(Canvas& canvas, const Hud& hud) {
     const double since = battle.phaseTicks(), fresh = std::clamp(1 - since / readyTicks, 0.0, 1.0);
     const double grown = battle.phase() == Phase::Ready && hud.answer == 0 ? 1 + 0.08 * fresh : 1;
     const auto there = canvas.place({.position = {0, 13}, .scale = {grown, grown}});
-    const bool flash = hud.answer > 0 && hud.answer / 8 % 2 == 1;
+    const bool flash = hud.answer > 0 && hud.answer / 12 % 2 == 1;
     canvas.box({0, 0}, {112, 13}, flash ? gold : mix(crewColor(battle.crew()), ink, 0.45), 13);
     canvas.box({0, 0}, {112, 13}, stroke(hud.answer > 0 ? gold : lighter(crewColor(battle.crew()), 0.35), 2), 13);
     const bool timed = battle.phase() == Phase::Aim;
@@ -225,8 +225,8 @@ TopPlaces topPlacesOf(const Arrangement& arrangement) {
         return {placed(8, 8, 1),       placed(middle, 8, 1), placed(middle, 49, 1),
                 placed(middle, 96, 1), placed(8, 50, 1),     placed(8, 50, 1)};
     const double top = arrangement.screen.lower.y() + 8;
-    return {placed(8, top, 1.92),        placed(116.5, top + 81, 1.75),
-            placed(433, top + 81, 1.6),  placed(middle, arrangement.field.lower.y() + 24, 1.7),
+    return {placed(8, top, 1.92),         placed(116.5, top + 81, 1.75),
+            placed(433, top + 81, 1.6),   placed(middle, arrangement.field.lower.y() + 24, 1.7),
             placed(254, top + 127, 1.53), placed(20, top + 127, 1.53)};
 }
 

@@ -43,7 +43,7 @@ void drawShellMark(Canvas& canvas, const Battle& battle, const Vec2& at, const A
         (world.upper.x() - world.lower.x()) / (arrangement.screen.upper.x() - arrangement.screen.lower.x());
     const double large = arrangement.upright ? 1.6 * unit : unit;
     const Aabb field = worldBehind(arrangement.field, arrangement.screen, world);
-    const auto mark = shellMarkOf(at, arrangement.upright ? field : world, inflate(field, -6 * unit), battle.sea());
+    const auto mark = shellMarkOf(at, arrangement.upright ? field : world, inflate(field, -12 * unit), battle.sea());
     if (!mark) return;
     const Vec2 along = mark->towards, across = perp(along);
     const auto arrow = [&](double grown) {

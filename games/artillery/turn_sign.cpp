@@ -6,7 +6,7 @@
 namespace plumb::games::artillery {
 namespace {
 
-constexpr int answerTicks = 80;
+constexpr int answerTicks = 95;
 
 std::string doingOf(const Match& match, const std::string& name, const std::string& owner) {
     switch (match.battle().phase()) {
