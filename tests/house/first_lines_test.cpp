@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <plumb/dynamics/describe.h>
 #include <plumb/shapes/tile_text.h>
 
 #include "catch.h"
@@ -68,7 +69,23 @@ const std::vector<std::pair<std::string, std::string>> wrongLines{
     {"world.add(circle(0.5));", "a shape belongs to a body: write add({.shapes = {circle(0.5)}})"},
     {"world.addField(Drag{.linear = 1});", "name the law: write addField({.law = Drag{...}})"},
     {"world.add({.shapes = {box(1, 0.5)}});", "both in braces: box({halfWidth, halfHeight})"},
+    {"world.add(RevoluteJointDef{.bodyA = a, .bodyB = b});", "a joint joins bodies: write join(RevoluteJointDef{...})"},
+    {"world.body(a).position() = {1, 0};", "it would be lost: call setPose, setVelocity, ... of the body"},
+    {"world.body(a).position().x() = 3;", "assign"},
+    {"world.step(1 / 60);", "whole seconds, and 1/60 is 0: write step(1.0 / 60)"},
+    {"world.add({.friction = 0.3});", "no match? add(BodyDef{...}) makes the compiler name the member"},
 };
+
+/// A row of the page's table: "| `Limit` | `lower upper` |".
+template <class Def>
+std::string rowOf() {
+    std::string names;
+    const Def def{};
+    plumb::describe(def, [&](const plumb::Member& member, const auto&) {
+        names += std::string(names.empty() ? "" : " ") + member.name;
+    });
+    return std::string("| `") + plumb::definitionName<Def>.type + "` | `" + names + "` |";
+}
 
 }  // namespace
 
@@ -100,7 +117,7 @@ TEST_CASE("a wrong line does not compile, and a sentence says what to write", "[
     for (const std::string compiler : {"g++", "clang++"}) {
         for (const auto& [line, sentence] : wrongLines) {
             CAPTURE(compiler, line);
-            const Ran ran = compiled(compiler, "-fsyntax-only", programOf(line));
+            const Ran ran = compiled(compiler, "-fsyntax-only -Werror", programOf(line));
             CHECK_FALSE(ran.ok);
             CHECK_THAT(ran.output, containsText(sentence));
             CHECK(std::count(ran.output.begin(), ran.output.end(), '\n') < 40);
@@ -108,6 +125,15 @@ TEST_CASE("a wrong line does not compile, and a sentence says what to write", "[
         CHECK(
             compiled(compiler, "-fsyntax-only", programOf("world.join(RevoluteJointDef{.bodyA = a, .bodyB = b});")).ok);
     }
+}
+
+TEST_CASE("the kit's page has the members of definitions in the order in which they are given", "[house]") {
+    const std::string page = textOf(repository / "kit/README.md");
+    for (const std::string& row :
+         {rowOf<plumb::BodyDef>(), rowOf<plumb::ShapeDef>(), rowOf<plumb::Material>(), rowOf<plumb::RevoluteJointDef>(),
+          rowOf<plumb::PrismaticJointDef>(), rowOf<plumb::DistanceJointDef>(), rowOf<plumb::WheelJointDef>(),
+          rowOf<plumb::WorldDef>()})
+        CHECK_THAT(page, containsText(row));
 }
 
 TEST_CASE("the page on shapes lists every character that stands for a tile", "[house]") {

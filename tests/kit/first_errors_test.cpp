@@ -125,6 +125,7 @@ TEST_CASE("a wrong call of a body is refused with a text that says what was want
     REFUSED(p.world.body(p.ball).setVelocity({std::nan(""), 0}), "Body.setVelocity: velocity: (nan, 0) is not finite");
     REFUSED(p.world.body(p.ground).setVelocity({1, 0}),
             "Body.setVelocity: velocity: (1, 0) to a body that is static, and stays where it is");
+    CHECK_NOTHROW(p.world.body(p.ground).setVelocity({0, 0}));  // as in the definition: a loop that stops all bodies
     REFUSED(p.world.body(p.ground).applyForce({1, 0}),
             "Body.applyForce: force: (1, 0) does nothing to a body that is static, not dynamic");
     REFUSED(p.world.body(p.ground).applyImpulse({1, 0}),

@@ -42,7 +42,7 @@ void addForce(WorldState& world, BodyIndex body, const Vec2& force, double torqu
 
 template <class Value>
 void requireMovable(const WorldState& world, BodyIndex body, const char* field, const Value& value) {
-    if (world.bodies.record[body].type == BodyType::Static)
+    if (world.bodies.record[body].type == BodyType::Static && value != Value{})
         refuse(field, toText(value) + " to a body that is static, and stays where it is");
 }
 

@@ -46,10 +46,15 @@ public:
     World& operator=(World&&) noexcept;
     ~World();
 
-    BodyId add(const BodyDef& def);
+    BodyId add(const BodyDef& def);  // no match? add(BodyDef{...}) makes the compiler name the member
     template <std::same_as<ShapeDef> Def>
     BodyId add(const Def&) {
         static_assert(detail::never<Def>, "a shape belongs to a body: write add({.shapes = {circle(0.5)}})");
+        return {};
+    }
+    template <detail::AlternativeOf<JointDef> Def>
+    BodyId add(const Def&) {
+        static_assert(detail::never<Def>, "a joint joins bodies: write join(RevoluteJointDef{...})");
         return {};
     }
     ShapeId add(BodyId body, const ShapeDef& shape);  ///< updates the mass, unless it was given
@@ -75,6 +80,10 @@ public:
     /// Moves the world forward by dt, at most 1 [s]. Throws std::invalid_argument only if dt is negative, longer or not
     /// finite.
     void step(double dt);
+    template <std::integral Whole>
+    [[deprecated("whole seconds, and 1/60 is 0: write step(1.0 / 60)")]] void step(Whole dt) {
+        step(static_cast<double>(dt));
+    }
 
     bool contains(BodyId body) const;
     bool contains(ShapeId shape) const;

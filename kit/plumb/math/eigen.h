@@ -3,6 +3,7 @@
 #pragma once
 #include <concepts>
 #include <type_traits>
+#include <utility>
 
 namespace plumb::detail {
 
@@ -40,5 +41,16 @@ concept EigenTransform = std::same_as<typename E::Scalar, T> && int(E::Dim) == 2
     { e.linear() } -> EigenMatrix2<T>;
     { e.translation() } -> EigenPair<T>;
 };
+
+/// What Eigen's `state << a, b` makes of its left side.
+template <typename L>
+concept EigenList = requires(L& list) {
+    list.m_xpr.derived();
+    list.finished();
+};
+
+/// Two numbers below each other, as a type of the library that the matrix is from.
+template <typename M>
+using EigenColumn = std::remove_cvref_t<decltype(std::declval<M&>().template topLeftCorner<2, 1>().eval())>;
 
 }  // namespace plumb::detail

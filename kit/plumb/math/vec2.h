@@ -9,6 +9,8 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include <plumb/math/eigen.h>
 
@@ -22,6 +24,9 @@ public:
     static constexpr int SizeAtCompileTime = 2;
 
     constexpr BasicVec2() = default;
+    constexpr BasicVec2(const BasicVec2&) = default;
+    constexpr BasicVec2& operator=(const BasicVec2&) & = default;
+    void operator=(const BasicVec2&) && = delete;  // it would be lost: call setPose, setVelocity, ... of the body
     template <std::convertible_to<T> X, std::convertible_to<T> Y>
     constexpr BasicVec2(X x, Y y) : values_{static_cast<T>(x), static_cast<T>(y)} {}
     template <detail::EigenPair<T> E>
@@ -46,26 +51,31 @@ public:
     static constexpr BasicVec2 Unit(std::integral auto axis) { return axis == 0 ? UnitX() : UnitY(); }
     static constexpr BasicVec2 Constant(T value) { return {value, value}; }
 
-    constexpr T x() const { return values_[0]; }
-    constexpr T y() const { return values_[1]; }
-    constexpr T& x() { return values_[0]; }
-    constexpr T& y() { return values_[1]; }
-    constexpr T operator[](std::integral auto axis) const { return values_[axis]; }  ///< axis: 0 or 1
-    constexpr T& operator[](std::integral auto axis) { return values_[axis]; }
-    constexpr T operator()(std::integral auto axis) const { return values_[axis]; }
-    constexpr T& operator()(std::integral auto axis) { return values_[axis]; }
-    constexpr const T* data() const { return values_; }
-    constexpr T* data() { return values_; }
+    // Only a vector that stays can be written to: `body.position().x() = 3` is refused, for it would be lost.
+    constexpr T x() const& { return values_[0]; }
+    constexpr T y() const& { return values_[1]; }
+    constexpr T& x() & { return values_[0]; }
+    constexpr T& y() & { return values_[1]; }
+    constexpr T operator[](std::integral auto axis) const& { return values_[axis]; }  ///< axis: 0 or 1
+    constexpr T& operator[](std::integral auto axis) & { return values_[axis]; }
+    constexpr T operator()(std::integral auto axis) const& { return values_[axis]; }
+    constexpr T& operator()(std::integral auto axis) & { return values_[axis]; }
+    constexpr const T* data() const& { return values_; }
+    constexpr T* data() & { return values_; }
+    template <std::size_t axis>
+    constexpr T get() const {  ///< for `auto [x, y] = v`
+        return values_[axis];
+    }
     static constexpr std::ptrdiff_t size() { return 2; }
     constexpr const T* begin() const { return values_; }
     constexpr const T* end() const { return values_ + 2; }
 
-    constexpr BasicVec2& operator+=(const BasicVec2& b) { return *this = *this + b; }
-    constexpr BasicVec2& operator-=(const BasicVec2& b) { return *this = *this - b; }
-    constexpr BasicVec2& operator*=(T factor) { return *this = *this * factor; }
-    constexpr BasicVec2& operator/=(T divisor) { return *this = *this / divisor; }
-    constexpr void setZero() { *this = {}; }
-    constexpr void setConstant(T value) { *this = Constant(value); }
+    constexpr BasicVec2& operator+=(const BasicVec2& b) & { return *this = *this + b; }
+    constexpr BasicVec2& operator-=(const BasicVec2& b) & { return *this = *this - b; }
+    constexpr BasicVec2& operator*=(T factor) & { return *this = *this * factor; }
+    constexpr BasicVec2& operator/=(T divisor) & { return *this = *this / divisor; }
+    constexpr void setZero() & { *this = {}; }
+    constexpr void setConstant(T value) & { *this = Constant(value); }
 
     friend constexpr BasicVec2 operator+(const BasicVec2& a) { return a; }
     friend constexpr BasicVec2 operator-(const BasicVec2& a) { return {-a.x(), -a.y()}; }
@@ -92,6 +102,17 @@ public:
     template <class E>
     requires detail::EigenPair<std::remove_cvref_t<E>, T>
     friend constexpr void operator-=(E&& pair, const BasicVec2& b) { pair += -b; }
+
+    // state << position, velocity: as with Eigen's own. Without these the comma would drop what follows it.
+    template <detail::FromEigen M>
+    friend constexpr auto operator<<(M& matrix, const BasicVec2& v) {
+        return matrix << detail::EigenColumn<M>(v);
+    }
+    template <class L>
+    requires detail::EigenList<std::remove_cvref_t<L>>
+    friend constexpr auto& operator,(L&& list, const BasicVec2& v) {
+        return list.operator,(detail::EigenColumn<std::remove_cvref_t<decltype(list.finished())>>(v));
+    }
 
     template <detail::EigenMatrix2<T> M>
     friend constexpr BasicVec2 operator*(const M& matrix, const BasicVec2& v) {
@@ -126,7 +147,7 @@ public:
         const T square = (*this / largest).squaredNorm();
         return square > 0 ? *this / (std::sqrt(square) * largest) : *this;
     }
-    void normalize() { *this = normalized(); }
+    void normalize() & { *this = normalized(); }
     template <int p>
     requires(p == 1 || p == 2 || p == -1) T lpNorm()
     const {  ///< p = -1, as Eigen::Infinity: the larger |coordinate|
@@ -200,3 +221,11 @@ constexpr Vec2f perp(const Vec2f& v) {
 }
 
 }  // namespace plumb
+
+/// Two parts, for `auto [x, y] = v`.
+template <class T>
+struct std::tuple_size<plumb::BasicVec2<T>> : std::integral_constant<std::size_t, 2> {};
+template <std::size_t axis, class T>
+struct std::tuple_element<axis, plumb::BasicVec2<T>> {
+    using type = T;
+};

@@ -242,7 +242,7 @@ TEST_CASE("a touch that begins in the step in which its body goes into quarantin
     world.add({.type = BodyType::Static, .shapes = {plumb::segment({-10, 0}, {10, 0})}});
     const BodyId ball = world.add({.position = {0, 0.99}, .shapes = {plumb::circle(1)}});
     world.body(ball).applyForce({2e15 * world.body(ball).mass(), 0});
-    world.step(1);
+    world.step(1.0);
     REQUIRE(world.quarantines().size() == 1);
     CHECK(world.contactEnds().size() == world.contactBegins().size());
     CHECK(world.contactEnds().empty());

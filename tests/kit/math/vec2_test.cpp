@@ -75,6 +75,10 @@ static_assert(std::is_same_v<decltype(any<Transform>() * any<Transform>()), Tran
 static_assert(std::is_same_v<decltype(any<Transform>().inverse()), Transform>);
 
 static_assert(std::is_trivially_copyable_v<Vec2> && sizeof(Vec2) == 2 * sizeof(double));
+// What is written to a value that nobody keeps would be lost.
+static_assert(std::is_assignable_v<Vec2&, Vec2> && !std::is_assignable_v<Vec2, Vec2>);
+static_assert(std::is_same_v<decltype(any<Vec2>().x()), double>);
+
 static_assert(Vec2() == Vec2(0, 0) && Vec2(1, 2) + Vec2(2, 2) == Vec2(3, 4));
 
 Vec2 someVector(plumb::Random& random) {
@@ -135,6 +139,14 @@ TEST_CASE("a vector and Eigen's types become each other", "[math]") {
     state.head<2>() = Pair(a) + Pair(state.head<2>());
     CHECK(state == Eigen::Vector4d(0, 0, 3, 4));
     CHECK(Vec2(state.tail<2>()) == a);
+    Eigen::Matrix<double, 5, 1> listed;
+    listed << 7, a, 2 * a;
+    CHECK(listed.transpose() == Eigen::Matrix<double, 1, 5>(7, 3, 4, 6, 8));
+    listed << a, state.head<2>(), a.norm();
+    CHECK(listed.transpose() == Eigen::Matrix<double, 1, 5>(3, 4, 0, 0, 5));
+    Eigen::Matrix2d columns;
+    columns << a, -a;
+    CHECK(columns.col(1) == Pair(-3, -4));
     const Eigen::Matrix2d quarter{{0, -1}, {1, 0}};
     CHECK(quarter * a == perp(a));
     CHECK(Vec2(quarter * p) == perp(Vec2(p)));
@@ -160,6 +172,8 @@ TEST_CASE("a vector that nobody set is 0, and prints as two numbers", "[math]") 
     std::ostringstream text;
     text << Vec2(1, 2.5) << ", " << Vec2(3, 4).transpose();
     CHECK(text.str() == "1 2.5, 3 4");
+    const auto [x, y] = Vec2(8, 9);
+    CHECK(x + y == 17);
     Vec2 changed(1, 2);
     changed.x() = 5;
     changed[1] *= 2;
