@@ -99,7 +99,7 @@ TEST_CASE("a wrong world, step or question is refused with a text that says what
     REFUSED(World({.hitSpeed = -1}), "WorldDef.hitSpeed: -1 is negative");
     REFUSED(World({.wrap = {.width = -10}}), "WorldDef.wrap.width: -10 is not within 0.001 to 1000000000");
     REFUSED(World({.solver = {.subSteps = 0}}), "WorldDef.solver.subSteps: 0 is not within 1 to 64");
-    REFUSED(p.world.step(-1), "World.step: dt: -1 is negative");
+    REFUSED(p.world.step(-1.0), "World.step: dt: -1 is negative");
     REFUSED(p.world.step(16.67),
             "World.step: dt: 16.67 s is longer than 1 s: wanted are seconds, not milliseconds; for a longer time make "
             "several steps");

@@ -114,7 +114,7 @@ void useNonsense(RandomEditor& e) {
     if (e.tryTo([&] { body.setVelocity({nan, 0}); })) FAIL("nan was taken in");
     if (e.tryTo([&] { body.setPose({0, nan}, 0); })) FAIL("nan was taken in");
     if (e.tryTo([&] { e.world.add({.position = {nan, 0}}); })) FAIL("nan was taken in");
-    if (e.tryTo([&] { e.world.step(-1); })) FAIL("a negative step was taken");
+    if (e.tryTo([&] { e.world.step(-1.0); })) FAIL("a negative step was taken");
     if (e.tryTo([&] { (void)world.castRay({0, nan}, {0, 0}); })) FAIL("nan was asked");
     if (e.tryTo([&] { (void)world.castShape(Circle{}, {}, {nan, 0}); })) FAIL("nan was asked");
     if (e.tryTo([&] { (void)world.overlapBox({{0, 0}, {0, nan}}); })) FAIL("nan was asked");
