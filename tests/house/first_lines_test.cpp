@@ -72,7 +72,6 @@ const std::vector<std::pair<std::string, std::string>> wrongLines{
     {"world.add(RevoluteJointDef{.bodyA = a, .bodyB = b});", "a joint joins bodies: write join(RevoluteJointDef{...})"},
     {"world.body(a).position() = {1, 0};", "it would be lost: call setPose, setVelocity, ... of the body"},
     {"world.body(a).position().x() = 3;", "assign"},
-    {"world.step(1 / 60);", "whole seconds, and 1/60 is 0: write step(1.0 / 60)"},
     {"world.add({.friction = 0.3});", "no match? add(BodyDef{...}) makes the compiler name the member"},
 };
 

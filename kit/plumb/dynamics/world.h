@@ -80,10 +80,6 @@ public:
     /// Moves the world forward by dt, at most 1 [s]. Throws std::invalid_argument only if dt is negative, longer or not
     /// finite.
     void step(double dt);
-    template <std::integral Whole>
-    [[deprecated("whole seconds, and 1/60 is 0: write step(1.0 / 60)")]] void step(Whole dt) {
-        step(static_cast<double>(dt));
-    }
 
     bool contains(BodyId body) const;
     bool contains(ShapeId shape) const;

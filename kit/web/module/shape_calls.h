@@ -16,7 +16,8 @@ namespace plumb::web {
 void listShapeCalls(auto&& list) {
     list("", "circle", "radius, material?", fn<&circle>);
     list("", "capsule", "start, end, radius, material?", fn<&capsule>);
-    list("", "box", "halfSize, material?", fn<&box>);
+    list("", "box", "halfSize, material?",
+         fn<[](const Vec2& halfSize, const Material& material) { return box(halfSize, material); }>);
     list("", "roundedBox", "halfSize, radius, material?", fn<&roundedBox>);
     list("", "polygon", "vertices, material?", fn<&polygon>);
     list("", "roundedPolygon", "vertices, radius, material?", fn<&roundedPolygon>);

@@ -14,8 +14,8 @@ void listEditCalls(auto&& list) {
     list("World", "add", "def", fn<[](World& w, const BodyDef& def) { return w.add(def); }>);
     list("World", "add", "body, shape",
          fn<[](World& w, BodyId body, const ShapeDef& shape) { return w.add(body, shape); }>);
-    list("World", "join", "def", fn<&World::join>);
-    list("World", "addField", "def", fn<&World::addField>);
+    list("World", "join", "def", fn<[](World& w, const JointDef& def) { return w.join(def); }>);
+    list("World", "addField", "def", fn<[](World& w, const FieldDef& def) { return w.addField(def); }>);
     list("World", "remove", "body", fn<[](World& w, BodyId id) { w.remove(id); }>);
     list("World", "remove", "shape", fn<[](World& w, ShapeId id) { w.remove(id); }>);
     list("World", "remove", "joint", fn<[](World& w, JointId id) { w.remove(id); }>);
