@@ -40,7 +40,7 @@ test('each function and class of the module has a type, and the other way round'
 test('units, defaults and meanings stand in the types', () => {
   assert.match(bodyOf('BodyDef'), /\/\*\* of the body's origin \[m\]; default \[0,0\] \*\/\n {2}position\?: Vec2;/);
   assert.match(bodyOf('Shot'), /\[m\/s\]/);
-  assert.match(bodyOf('World'), /Moves the world forward by dt \[s\]/);
+  assert.match(bodyOf('World'), /Moves the world forward by dt, at most 1 \[s\]/);
 });
 
 test('a program with mistakes is refused, one without is not', () => {
