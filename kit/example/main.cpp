@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <iostream>
+
 #include <plumb/plumb.h>
 
 int main() {

@@ -53,8 +53,7 @@ Phase<Vector<N>> stepOf(Method method, const Acceleration& acceleration, double 
 
 /// The same in the plane.
 template <typename Acceleration>
-Phase<Vec2> stepOf(Method method, const Acceleration& acceleration, double time, const Phase<Vec2>& from,
-                   double step) {
+Phase<Vec2> stepOf(Method method, const Acceleration& acceleration, double time, const Phase<Vec2>& from, double step) {
     const auto pull = [&](double t, const Vector<2>& x, const Vector<2>& v) -> Vector<2> {
         return acceleration(t, x, v);
     };
