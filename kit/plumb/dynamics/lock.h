@@ -6,7 +6,7 @@ namespace plumb {
 
 struct JointEdits;
 
-/// Used like a bool. Locks are joints. The constructor from a bool is defined next to the code of joints, so a program
+/// Used like a bool. Locks are joints. The constructor from a bool is defined with the edits of joints, so a program
 /// that uses neither locks nor joints links none of that code.
 class Lock {
 public:

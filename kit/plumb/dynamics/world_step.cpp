@@ -14,12 +14,12 @@
 #include <plumb/dynamics/impacts/chain_slides.h>
 #include <plumb/dynamics/impacts/flight_stops.h>
 #include <plumb/dynamics/impacts/isolated_impacts.h>
-#include <plumb/dynamics/impacts/wall_touch.h>
 #include <plumb/dynamics/islands/sleep.h>
 #include <plumb/dynamics/islands/wake.h>
 #include <plumb/dynamics/ledger/step_audit.h>
+#include <plumb/dynamics/loads/push_apart.h>
+#include <plumb/dynamics/meetings/wall_touch.h>
 #include <plumb/dynamics/sensors/sensors.h>
-#include <plumb/dynamics/solver/push_apart.h>
 #include <plumb/dynamics/solver/solver.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>

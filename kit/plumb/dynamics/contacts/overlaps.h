@@ -3,7 +3,7 @@
 //
 // An editor or a spawner may put bodies where others are. If the springs of contacts pushed them out, they would get
 // speed, and in a crowd the speeds add up: it bursts. So a contact is noted that is deep in overlap after one of its
-// bodies has been placed. Its spring sees a small overlap only, and the rest is shifted apart (solver/push_apart.h).
+// bodies has been placed. Its spring sees a small overlap only, and the rest is shifted apart (loads/push_apart.h).
 #pragma once
 #include <plumb/dynamics/contacts/contact_graph.h>
 

@@ -220,4 +220,7 @@ const JointEdits jointEdits{.lock = lockBody,
                             .removeAllOf = removeJointsOf,
                             .breakOverloaded = breakJoints};
 
+/// Here, so that a program which locks a body links the code of joints, and another one does not.
+Lock::Lock(bool locked) : joints_(locked ? &jointEdits : nullptr) {}
+
 }  // namespace plumb

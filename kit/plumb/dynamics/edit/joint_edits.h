@@ -28,7 +28,7 @@ void takeNearestImages(WorldState& world, BodyIndex body);
 void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift);
 
 /// The edits of joints that other edits need. A world calls them through this table, which its first joint sets (see
-/// solver/joint_phases.h).
+/// jointed/joint_phases.h).
 struct JointEdits {
     void (*lock)(WorldState& world, BodyIndex body, bool lockX, bool lockY);
     /// After a body was moved by an edit: moves its locks, and in a world that wraps connects its joints to the nearest

@@ -7,7 +7,7 @@
 // step, it does not.
 #pragma once
 #include <plumb/dynamics/impacts/flying_bodies.h>
-#include <plumb/dynamics/impacts/wall_impact.h>
+#include <plumb/dynamics/meetings/wall_impact.h>
 
 namespace plumb {
 

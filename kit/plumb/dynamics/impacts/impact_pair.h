@@ -7,8 +7,8 @@
 #include <array>
 
 #include <plumb/dynamics/contacts/touch_events.h>
-#include <plumb/dynamics/impacts/face_impact.h>
 #include <plumb/dynamics/impacts/flying_bodies.h>
+#include <plumb/dynamics/meetings/face_impact.h>
 
 namespace plumb {
 

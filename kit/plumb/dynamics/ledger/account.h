@@ -3,8 +3,8 @@
 #pragma once
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/fields/field_store.h>
+#include <plumb/dynamics/jointed/joint_phases.h>
 #include <plumb/dynamics/ledger.h>
-#include <plumb/dynamics/solver/joint_phases.h>
 
 namespace plumb {
 

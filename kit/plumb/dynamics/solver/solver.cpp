@@ -5,17 +5,17 @@
 #include <cmath>
 #include <optional>
 
+#include <plumb/dynamics/bodies/body_solver.h>
 #include <plumb/dynamics/bodies/load_bodies.h>
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 #include <plumb/dynamics/fields/field_phases.h>
-#include <plumb/dynamics/impacts/wall_touch.h>
+#include <plumb/dynamics/jointed/joint_half.h>
 #include <plumb/dynamics/joints/joint_islands.h>
-#include <plumb/dynamics/solver/body_solver.h>
-#include <plumb/dynamics/solver/joint_half.h>
-#include <plumb/dynamics/solver/load_paths.h>
-#include <plumb/dynamics/solver/wall_limits.h>
-#include <plumb/dynamics/solver/wall_stops.h>
+#include <plumb/dynamics/loads/load_paths.h>
+#include <plumb/dynamics/meetings/wall_touch.h>
+#include <plumb/dynamics/walls/wall_limits.h>
+#include <plumb/dynamics/walls/wall_stops.h>
 #include <plumb/math/detail/for_lanes.h>
 
 namespace plumb {

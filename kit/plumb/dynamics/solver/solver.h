@@ -10,8 +10,8 @@
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/dynamics/fields/field_store.h>
+#include <plumb/dynamics/jointed/joint_phases.h>
 #include <plumb/dynamics/joints/joint_islands.h>
-#include <plumb/dynamics/solver/joint_phases.h>
 
 namespace plumb {
 

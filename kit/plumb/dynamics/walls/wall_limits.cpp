@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/solver/wall_limits.h>
+#include <plumb/dynamics/walls/wall_limits.h>
 
 #include <algorithm>
 #include <cmath>

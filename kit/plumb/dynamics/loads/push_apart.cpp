@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/solver/push_apart.h>
+#include <plumb/dynamics/loads/push_apart.h>
 
 #include <algorithm>
 #include <array>

@@ -10,8 +10,8 @@
 
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/dynamics/solver/joint_bounces.h>
-#include <plumb/dynamics/solver/joint_contacts.h>
+#include <plumb/dynamics/jointed/joint_bounces.h>
+#include <plumb/dynamics/jointed/joint_contacts.h>
 #include <plumb/dynamics/solver_settings.h>
 
 namespace plumb {

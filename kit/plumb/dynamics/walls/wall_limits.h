@@ -5,7 +5,7 @@
 // bodies are far from all walls: they get the speed at which they could come to one. Beside a wall that moves, even a
 // body at rest may be passed by it: its limit is lower by the wall's speed.
 #pragma once
-#include <plumb/dynamics/impacts/wall_search.h>
+#include <plumb/dynamics/meetings/wall_search.h>
 
 namespace plumb {
 

@@ -18,7 +18,7 @@
 // random heaps of light bodies under heavy ones, 20 burst. With at most 8 passes, 6 of 3000 burst.
 // Tests: "a crate that falls on a loose plank stops there", "a large box on two small ones comes to rest level"
 #pragma once
-#include <plumb/dynamics/solver/load_path_finder.h>
+#include <plumb/dynamics/loads/load_path_finder.h>
 
 namespace plumb {
 

@@ -13,9 +13,9 @@
 #pragma once
 #include <vector>
 
-#include <plumb/dynamics/impacts/wall_impact.h>
-#include <plumb/dynamics/solver/body_solver.h>
-#include <plumb/dynamics/solver/joint_phases.h>
+#include <plumb/dynamics/bodies/body_solver.h>
+#include <plumb/dynamics/jointed/joint_phases.h>
+#include <plumb/dynamics/meetings/wall_impact.h>
 
 namespace plumb {
 

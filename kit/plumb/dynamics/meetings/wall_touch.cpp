@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/impacts/wall_touch.h>
+#include <plumb/dynamics/meetings/wall_touch.h>
 
 #include <algorithm>
 

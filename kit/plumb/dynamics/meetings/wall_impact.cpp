@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/impacts/wall_impact.h>
+#include <plumb/dynamics/meetings/wall_impact.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 // response at the point includes that of its joints. Points that approach the wall are solved one after the other.
 #pragma once
 #include <plumb/dynamics/contacts/touch_events.h>
-#include <plumb/dynamics/impacts/wall_search.h>
+#include <plumb/dynamics/meetings/wall_search.h>
 #include <plumb/math/detail/vec3.h>
 
 namespace plumb {

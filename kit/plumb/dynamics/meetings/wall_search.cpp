@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/impacts/wall_search.h>
+#include <plumb/dynamics/meetings/wall_search.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/impacts/body_motion.h>
+#include <plumb/dynamics/meetings/body_motion.h>
 
 #include <cmath>
 

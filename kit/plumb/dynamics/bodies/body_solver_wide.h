@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How do W bodies move at once?
 #pragma once
-#include <plumb/dynamics/solver/body_solver.h>
+#include <plumb/dynamics/bodies/body_solver.h>
 #include <plumb/math/detail/wide_ops.h>
 #include <plumb/math/detail/wide_rows.h>
 

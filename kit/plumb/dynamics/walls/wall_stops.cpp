@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/solver/wall_stops.h>
+#include <plumb/dynamics/walls/wall_stops.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <plumb/dynamics/bodies/body_solver.h>
 #include <plumb/dynamics/joints/joint_response.h>
-#include <plumb/dynamics/solver/body_solver.h>
 
 namespace plumb {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include <plumb/dynamics/contacts/contact_store.h>
-#include <plumb/dynamics/impacts/body_motion.h>
+#include <plumb/dynamics/meetings/body_motion.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/solver/joint_contacts.h>
+#include <plumb/dynamics/jointed/joint_contacts.h>
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/solver/load_path_finder.h>
+#include <plumb/dynamics/loads/load_path_finder.h>
 
 #include <algorithm>
 #include <cmath>

@@ -19,7 +19,7 @@
 
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
-#include <plumb/dynamics/solver/joint_half.h>
+#include <plumb/dynamics/jointed/joint_half.h>
 
 namespace plumb {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/solver/joint_phases.h>
+#include <plumb/dynamics/jointed/joint_phases.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/jointed/joint_bounces.h>
 #include <plumb/dynamics/joints/find_islands.h>
 #include <plumb/dynamics/joints/joint_bodies.h>
 #include <plumb/dynamics/joints/joint_measure.h>
 #include <plumb/dynamics/joints/joint_springs.h>
-#include <plumb/dynamics/solver/joint_bounces.h>
 
 namespace plumb {
 

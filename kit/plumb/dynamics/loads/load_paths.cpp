@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/solver/load_paths.h>
+#include <plumb/dynamics/loads/load_paths.h>
 
 #include <algorithm>
 #include <cmath>

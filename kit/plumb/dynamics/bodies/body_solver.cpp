@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/solver/body_solver.h>
+#include <plumb/dynamics/bodies/body_solver.h>
 
 #include <plumb/math/trig.h>
 

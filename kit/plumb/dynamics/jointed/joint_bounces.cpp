@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/solver/joint_bounces.h>
+#include <plumb/dynamics/jointed/joint_bounces.h>
 
 #include <algorithm>
 #include <map>

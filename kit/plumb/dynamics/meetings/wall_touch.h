@@ -2,7 +2,7 @@
 // Which contact and which events does a body's impact at a wall leave?
 #pragma once
 #include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/dynamics/impacts/wall_impact.h>
+#include <plumb/dynamics/meetings/wall_impact.h>
 
 namespace plumb {
 
