@@ -6,8 +6,8 @@
 #pragma once
 #include <optional>
 
+#include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/contacts/contact_store.h>
-#include <plumb/dynamics/meetings/body_motion.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {

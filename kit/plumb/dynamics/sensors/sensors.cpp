@@ -8,8 +8,7 @@
 
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/sensors/body_paths.h>
-#include <plumb/dynamics/sensors/meeting.h>
-#include <plumb/dynamics/sensors/stray_pairs.h>
+#include <plumb/dynamics/sensors/sensor_pairs.h>
 
 namespace plumb {
 
