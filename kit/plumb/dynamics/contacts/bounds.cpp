@@ -92,13 +92,13 @@ void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& cont
     const bool moves = record.awake && dt > 0;
     const Vec2f shift = moves ? Vec2f(predictedShift(bodies, body).cast<float>()) : Vec2f(0, 0);
     const float turn = moves ? bodies.place[body].turn : 0.0f;
-    const float way = std::sqrt(shift.x() * shift.x() + shift.y() * shift.y());
+    const float path = std::sqrt(shift.x() * shift.x() + shift.y() * shift.y());
     for (const ProxyId proxy : bodies.links[body].proxies) {
         const BoxOutline& outline = contacts.boxes[proxy];
         const Extent now = extentOf(space, bodies, contacts, body, proxy);
         const bool sensor = outline.sensor && moves;
         const float swing = sensor ? sensorTurn(space[proxy].def.shape, record, motion, dt) : turn;
-        const float back = outline.restitution * way, spare = 0.5f * contactMargin + swing;
+        const float back = outline.restitution * path, spare = 0.5f * contactMargin + swing;
         const Vec2f below(spare + std::max(back, -shift.x()), spare + std::max(back, -shift.y()));
         const Vec2f above(spare + std::max(back, shift.x()), spare + std::max(back, shift.y()));
         const Vec2f lower = now.lower - below - now.lower.cwiseAbs() * roundings;

@@ -55,7 +55,7 @@ private:
     Vec3 at(const Vec2& impulse) const { return {impulse.x(), impulse.y(), cross(arm_, impulse)}; }
     /// By how much a unit impulse at the point changes the point's velocity.
     Vec2 changeBy(const Vec2& unit) const {
-        const Vec3 change = body_.answerTo(at(unit));
+        const Vec3 change = body_.responseTo(at(unit));
         return Vec2(change[0], change[1]) + perp(arm_) * change[2];
     }
 

@@ -20,7 +20,7 @@ public:
     /// Its state where it meets the wall, with all impulses so far.
     virtual BodyMotion motion() const = 0;
     /// By how much an impulse would change its velocity.
-    virtual Vec3 answerTo(const Vec3& impulse) = 0;
+    virtual Vec3 responseTo(const Vec3& impulse) = 0;
     virtual void push(const Vec3& impulse) = 0;
 };
 

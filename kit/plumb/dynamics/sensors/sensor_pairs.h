@@ -37,7 +37,7 @@ bool haveMet(const SensorPair& pair, double separation, const Space& space, Body
 /// Pairs whose bounds do not overlap, though the boxes of their paths do. They are for this step only: if the two stay
 /// near each other, the next step finds them in any case. In a world that wraps, what moves farther than a period in
 /// the step is left out, see predictedShift.
-std::vector<SensorPair> findStrayPairs(const SensorStore& sensors, const BodyStore& bodies, const Space& space,
-                                       BodyPaths& paths);
+std::vector<SensorPair> findDeflectedPairs(const SensorStore& sensors, const BodyStore& bodies, const Space& space,
+                                           BodyPaths& paths);
 
 }  // namespace plumb
