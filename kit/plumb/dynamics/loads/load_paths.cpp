@@ -107,7 +107,7 @@ const ContactPass& LoadPaths::passOf(const LoadedContact& contact) const {
     return contact.isGround ? groundPass_ : pass_;
 }
 
-/// How far a contact's spring rowCompliance way to an impulse, times the contact's effective mass [-].
+/// The compliance of a contact's spring, times the contact's effective mass [-].
 float LoadPaths::complianceOf(const LoadedContact& contact) const {
     const Softness& soft = passOf(contact).soft;
     return contact.compliance * soft.impulseScale / std::max(soft.massScale, 1e-6f);
@@ -178,7 +178,7 @@ float LoadPaths::speedAlong(const LoadPath& path) const {
     return sum;
 }
 
-/// The impulse that a point may compliance up [N s].
+/// The impulse of a point, which it can lose at the most [N s].
 float LoadPaths::impulseAt(const LoadRow& row, bool isRelax) const {
     const LoadedContact& c = list_.contacts[row.contact];
     return (isRelax ? c.start.normal[row.point] : 0.0f) + c.batch->points[row.point].normalImpulse[c.lane];
