@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <cstring>
 
+#include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/collide/manifold.h>
 #include <plumb/dynamics/bodies/body_store.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
 #include "catch.h"
 

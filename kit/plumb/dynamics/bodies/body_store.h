@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <plumb/dynamics/bodies/flight_law.h>
+#include <plumb/collide/lanes/body_place.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/dynamics/body_def.h>
 #include <plumb/dynamics/id.h>

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <limits>
 
+#include <plumb/math/detail/wide.h>
+
 namespace plumb {
 
 /// A body's velocity in the solver: 16 bytes, with the inverse mass. The angular velocity is divided by rho, the
@@ -53,28 +55,5 @@ struct SolverBodies {
     SolverTurn* turn = nullptr;
     const Kick* kick = nullptr;
 };
-
-/// A body's place and predicted motion in this step. One cache line: four rows of four floats. Each coordinate is the
-/// sum of two floats, high and low, so that the difference of two places is as exact as a float can be, everywhere in
-/// the world.
-struct alignas(64) BodyPlace {
-    float highX = 0, highY = 0, lowX = 0, lowY = 0;  ///< centre of mass [m]
-    float cos = 1, sin = 0;                          ///< of its angle
-    float inverseGyration = 1;                       ///< inverse radius of gyration [1/m]
-    float unused = 0;
-    float shiftX = 0, shiftY = 0;  ///< displacement of the centre in this step, if nothing touches the body [m]
-    float turn = 0;                ///< upper bound on how far the rotation moves a point of the outline [m]
-    float unused2 = 0;
-    float pullX = 0, pullY = 0;  ///< velocity change by its acceleration in half of this step [m/s]
-    float unused3 = 0, unused4 = 0;
-};
-
-/// Number of constraints that are stored side by side, so that one vector operation can load a value of several.
-inline constexpr int batchLanes = 16;
-
-/// One value for each lane. A plain array, so that code compiled for wider machines can use it (see
-/// math/detail/wide.h).
-template <class T>
-using Lanes = T[batchLanes];
 
 }  // namespace plumb

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/dynamics/bodies/load_bodies.h>
 #include <plumb/dynamics/bodies/shape_radii.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
 namespace plumb {
 

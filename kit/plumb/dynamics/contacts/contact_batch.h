@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 
 namespace plumb {
@@ -47,35 +48,6 @@ struct alignas(64) ManifoldPointLanes {
     /// The mean of the last steps, when the step's length changed last [N].
     Lanes<float> normalForce, tangentForce;
 };
-
-/// How are two shapes collided that are not both boxes? One by one; as a disc, which is A or B, and another shape; as
-/// polygons; or one by one if they are near each other as polygons, because one is a segment of a chain.
-inline constexpr std::int32_t noKernel = 0, discFirst = 1, discSecond = 2, asPolygons = 3, onChain = 4;
-
-/// In each lane two shapes that are near each other, as boxes. For boxes this is all that is needed to find where they
-/// touch; for other shapes it can show that they do not touch.
-struct alignas(64) PairLanes {
-    Lanes<std::uint32_t> bodyA, bodyB;                    ///< slots of the bodies; an empty lane has 0 and 0
-    Lanes<float> halfXA, halfYA, halfXB, halfYB;          ///< [m]
-    Lanes<float> radiusA, radiusB;                        ///< rounding radii of the boxes [m]
-    Lanes<float> centerXA, centerYA, centerXB, centerYB;  ///< from their body's centre of mass [m]
-    Lanes<std::int32_t> kernel;                           ///< noKernel, discFirst, ...
-    Lanes<std::uint32_t> proxyA, proxyB;
-    Lanes<std::int32_t> cornersA, cornersB;  ///< number of corners, for the lanes that are collided as polygons
-};
-inline bool hasDisc(const PairLanes& pairs, std::size_t lane) {
-    return pairs.halfXA[lane] + pairs.halfYA[lane] == 0 || pairs.halfXB[lane] + pairs.halfYB[lane] == 0;
-}
-
-/// One lane of PairLanes, without the boxes.
-struct ShapePair {
-    std::uint32_t bodyA = 0, bodyB = 0, proxyA = 0, proxyB = 0;
-    double shiftX = 0, shiftY = 0;  ///< to B's periodic image near A, in a world that wraps [m]
-};
-inline ShapePair pairAt(const PairLanes& pairs, std::size_t lane) {
-    return {pairs.bodyA[lane], pairs.bodyB[lane], pairs.proxyA[lane], pairs.proxyB[lane], 0, 0};
-}
-inline constexpr std::size_t pairRows = sizeof(PairLanes) / (sizeof(float) * batchLanes);
 
 /// The part of each lane's manifold that is kept from step to step. Parallel to the batches.
 struct alignas(64) ManifoldLanes {

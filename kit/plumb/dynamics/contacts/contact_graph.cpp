@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+#include <plumb/collide/lanes/pair_lanes.h>
 
 namespace plumb {
 

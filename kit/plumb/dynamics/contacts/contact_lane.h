@@ -2,10 +2,10 @@
 // How is a contact written into a lane of a batch, and which load does a new one carry? The solver warm-starts with the
 // impulses of the last step; new contacts have none.
 #pragma once
+#include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/dynamics/bodies/body_store.h>
 #include <plumb/dynamics/contacts/contact_batch.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {

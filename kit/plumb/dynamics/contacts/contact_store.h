@@ -8,11 +8,11 @@
 #include <vector>
 
 #include <plumb/broad/pair.h>
+#include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/collide/manifold.h>
 #include <plumb/dynamics/bodies/body_store.h>
 #include <plumb/dynamics/contacts/box_outline.h>
 #include <plumb/dynamics/contacts/contact_batch.h>
-#include <plumb/dynamics/contacts/lanes/corner_rows.h>
 
 namespace plumb {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/dynamics/bodies/time_of_impact.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
 namespace plumb {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How are W hinges solved at once?
 #pragma once
-#include <plumb/dynamics/bodies/relative_lanes.h>
+#include <plumb/collide/lanes/relative_lanes.h>
 #include <plumb/dynamics/joints/hinge_solver.h>
 
 namespace plumb {

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <vector>
 
+#include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/contacts/bounds.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
 namespace plumb {
 

@@ -12,6 +12,14 @@
 
 namespace plumb {
 
+/// Number of pairs, contacts or joints that are stored side by side, so that one vector operation can load a value of
+/// several of them.
+inline constexpr int batchLanes = 16;
+
+/// One value for each of them. A plain array, so that code compiled for wider machines can use it.
+template <class T>
+using Lanes = T[batchLanes];
+
 template <int W>
 struct Wide;
 

@@ -8,9 +8,9 @@
 // another shape that the body may touch, too. Of loose boxes, only those count that are at rest.
 // Test: "what slides over boxes laid flush goes on as over one box"
 #pragma once
+#include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/dynamics/contacts/contact_store.h>
 #include <plumb/dynamics/contacts/floors/flush_sides.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
 namespace plumb {
 

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Which functions collide and prepare the contacts of a whole batch? The same templates for each number of lanes.
 #pragma once
+#include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/dynamics/bodies/solver_body.h>
-#include <plumb/dynamics/contacts/lanes/corner_rows.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
 namespace plumb {
+
+/// How long is the step for which contacts are prepared?
+struct StepLength {
+    float inverse;  ///< 1/dt [1/s]
+    float ratio;    ///< of dt to that of the step from which impulses are carried over: they grow with it [-]
+    int halves;     ///< half sub-steps in a step [-]
+};
 
 /// Each function computes the first `used` lanes of a batch, and perhaps more.
 struct LaneCollider {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How is a batch collided and prepared, W lanes at a time?
 #pragma once
-#include <plumb/dynamics/contacts/lanes/collide_boxes.h>
-#include <plumb/dynamics/contacts/lanes/collide_discs.h>
-#include <plumb/dynamics/contacts/lanes/collide_polygons.h>
+#include <plumb/collide/lanes/collide_boxes.h>
+#include <plumb/collide/lanes/collide_discs.h>
+#include <plumb/collide/lanes/collide_polygons.h>
 #include <plumb/dynamics/contacts/lanes/lane_collider.h>
 #include <plumb/dynamics/contacts/lanes/prepare_lanes.h>
 #include <plumb/dynamics/contacts/lanes/reuse_lanes.h>

@@ -2,10 +2,10 @@
 // What does the solver need from new manifolds, for W lanes at a time? Impulses move with their points into the new
 // manifold; anchors, effective masses and separations are computed for the step.
 #pragma once
-#include <plumb/dynamics/bodies/relative_lanes.h>
+#include <plumb/collide/lanes/pair_lanes.h>
+#include <plumb/collide/lanes/relative_lanes.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/dynamics/contacts/bounces.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 #include <plumb/dynamics/contacts/lanes/resting_arms.h>
 
 namespace plumb {

@@ -5,7 +5,7 @@
 // Tried: 1 mm in place of 0.2 mm made heaps no faster. Boxes are not asked: to collide them takes as long.
 // Source: contact recycling in Box2D 3.2, which allows a motion of 5 cm.
 #pragma once
-#include <plumb/dynamics/contacts/lanes/classify_lanes.h>
+#include <plumb/collide/lanes/classify_lanes.h>
 
 namespace plumb {
 

@@ -10,8 +10,8 @@
 #pragma once
 #include <limits>
 
-#include <plumb/dynamics/contacts/lanes/classify_lanes.h>
-#include <plumb/dynamics/contacts/lanes/polygon_cores.h>
+#include <plumb/collide/lanes/classify_lanes.h>
+#include <plumb/collide/lanes/polygon_cores.h>
 
 namespace plumb {
 

@@ -7,8 +7,8 @@
 // Test: "polygons side by side have the manifolds that they have one by one"
 #pragma once
 #include <plumb/collide/detail/facing_edges.h>
-#include <plumb/dynamics/contacts/lanes/classify_lanes.h>
-#include <plumb/dynamics/contacts/lanes/polygon_cores.h>
+#include <plumb/collide/lanes/classify_lanes.h>
+#include <plumb/collide/lanes/polygon_cores.h>
 
 namespace plumb {
 

@@ -7,7 +7,7 @@
 // them is the normal.
 // Test: "boxes side by side have the manifolds that they have one by one"
 #pragma once
-#include <plumb/dynamics/contacts/lanes/classify_lanes.h>
+#include <plumb/collide/lanes/classify_lanes.h>
 
 namespace plumb {
 

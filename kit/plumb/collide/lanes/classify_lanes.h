@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which of W pairs can meet in this step, and of which must be computed exactly how they do?
 #pragma once
-#include <plumb/dynamics/bodies/relative_lanes.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+#include <plumb/collide/lanes/pair_lanes.h>
+#include <plumb/collide/lanes/relative_lanes.h>
 
 namespace plumb {
 
@@ -45,5 +45,18 @@ Reaching<W> reachOf(const RelativeLanes<W>& r, typename Wide<W>::Float normalX, 
     const I uncertain = far ? closer : I{};
     return {there, there > I{} ? uncertain : I{}, far};
 }
+
+/// Writes into some of W lanes.
+template <int W>
+struct LaneWriter {
+    FreshLanes& fresh;
+    int lane;  ///< the first
+    typename Wide<W>::Mask wanted;
+
+    template <class T>
+    [[gnu::always_inline]] void put(T* row, typename LanesOf<W, T>::Type v) const {
+        storeLanes(row + lane, wanted ? v : loadLanes<W>(row + lane));
+    }
+};
 
 }  // namespace plumb

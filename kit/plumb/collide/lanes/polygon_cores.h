@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The corners of W polygons side by side.
 #pragma once
-#include <plumb/dynamics/contacts/lanes/corner_rows.h>
+#include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/math/detail/wide_ops.h>
 #include <plumb/math/detail/wide_rows.h>
 

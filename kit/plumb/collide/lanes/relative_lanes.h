@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is the relative position, rotation and motion of the two bodies of each lane?
 #pragma once
-#include <plumb/dynamics/bodies/solver_body.h>
+#include <cstdint>
+
+#include <plumb/collide/lanes/body_place.h>
 #include <plumb/math/detail/wide_ops.h>
 #include <plumb/math/detail/wide_rows.h>
 
