@@ -91,7 +91,7 @@ public:
         std::size_t total = 0;
         for (const std::size_t size : sizes) total += size * width;
         numbers_.assign(total, 0.0);
-        double** const arrays[] = {&view.body, &view.link, &view.row, &view.joint, &view.block, &view.answer};
+        double** const arrays[] = {&view.body, &view.link, &view.row, &view.joint, &view.block, &view.solution};
         double* at = numbers_.data();
         for (std::size_t i = 0; i < std::size(sizes); at += sizes[i] * width, ++i) *arrays[i] = at;
         setShape(l);

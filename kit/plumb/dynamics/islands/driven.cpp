@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include <plumb/dynamics/joints/joint_bodies.h>
-#include <plumb/dynamics/joints/running_motor.h>
+#include <plumb/dynamics/joints/joint_store.h>
 
 namespace plumb {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/joints/find_islands.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 
 #include <algorithm>
 #include <map>
 
 #include <plumb/dynamics/bodies/body_groups.h>
-#include <plumb/dynamics/joints/joint_bodies.h>
 
 namespace plumb {
 
