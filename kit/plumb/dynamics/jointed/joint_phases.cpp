@@ -37,6 +37,7 @@ void resetLoads(JointStore& joints, const BodyStore& bodies) {
     }
 }
 
+/// The hinges' impulses go to their records first: so a hinge that gets another place in a sweep keeps its first guess.
 void findAwakeIslands(const JointStores& stores) {
     JointStore& joints = stores.joints;
     JointIslands& found = stores.islands;
@@ -155,6 +156,9 @@ std::vector<std::span<JointIsland*>> cutBatches(const JointStores& stores, std::
     return batches;
 }
 
+/// Batches that meet no contact come last: they go through the whole step one after the other, while their numbers are
+/// in the cache. Batches that are not needed are kept, with the room for their numbers: how many there are changes from
+/// step to step.
 void loadBatches(const JointStores& stores, double dt, bool mayFly) {
     JointIslands& found = stores.islands;
     const double h = dt / stores.settings.subSteps;
@@ -175,6 +179,7 @@ void loadBatches(const JointStores& stores, double dt, bool mayFly) {
     }
 }
 
+/// Fields act next, on the records: so they must see the free velocities.
 void kickBatches(const JointStores& stores, const JointHalf& half) {
     for (JointBatch& batch : batchesOf(stores)) {
         batch.kick(stores.bodies, half.correct);
@@ -188,6 +193,7 @@ void flyBatch(const JointStores& stores, JointBatch& batch, const JointHalf& hal
     batch.note(stores.observer);
 }
 
+/// The bodies of swept islands have been moved by their records.
 void moveBatches(const JointStores& stores, std::span<JointBatch> batches, double h) {
     for (JointBatch& batch : batches) batch.move(stores.bodies, h, stores.settings.contactPushSpeed, stores.observer);
     for (JointBatch& batch : stores.islands.sweptBatches) batch.noteMoves();
@@ -213,6 +219,8 @@ void sweepHinges(const JointStores& stores, JointIsland& island, const JointHalf
     island.hinges.solve(hingeSolver(stores.settings.lanes), stores.bodies.solverBodies(), hingePassOf(stores, half));
 }
 
+/// Other joints than hinges get the same softness. Where a soft hinge takes back a part of its old impulse, their rows
+/// have a compliance.
 void sweepJoint(const JointStores& stores, JointBatch& batch, const JointHalf& half) {
     IslandTurn turn = turnOf(stores, half);
     double compliance = 0;
@@ -258,6 +266,7 @@ void storeBatches(const JointStores& stores, std::vector<std::pair<BodyIndex, Bo
     for (const JointIsland& island : stores.islands.islands) island.hinges.addLoads(stores.joints);
 }
 
+/// Reports only what came through joints from fixed bodies: the impulse itself is taken off again.
 void pushJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse) {
     reportGround(stores, island.bodies, [&] {
         pullMoves(island.batch->numbers, stores.bodies, island.lane);
