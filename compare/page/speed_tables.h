@@ -16,7 +16,7 @@ namespace plumb::compare {
 ///   random     random scenes: means, with joints and without, and the rows that are farthest from the mean
 ///   growth     how times grow with the number of bodies
 ///   phases     how much time each part of Plumb's step takes
-///   summary    one row for each kind of scene, for the front page, if all of its scenes were run
+///   summary    one row for each kind of scene, in short, if all of its scenes were run
 /// Throws std::invalid_argument if Plumb or its rival was not run.
 std::vector<Block> speedBlocks(std::span<const SceneBench> results);
 

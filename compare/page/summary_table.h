@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does the front page say about speed?
+// Which few rows say in short how fast a step is?
 #pragma once
 #include <span>
 

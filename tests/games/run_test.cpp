@@ -5,7 +5,6 @@
 #include <games/all_games.h>
 
 #include "catch.h"
-#include "house/cmake_project.h"
 #include "house/shell.h"
 
 using namespace plumb;
@@ -50,7 +49,7 @@ TEST_CASE("games/run web refuses a port that is none, before it builds", "[games
 
 TEST_CASE("before the first build games/run maze --help shows the page's examples, and builds nothing", "[games]") {
     namespace fs = std::filesystem;
-    const fs::path source = PLUMB_SOURCE_DIR, folder = houseFolder("unbuilt");
+    const fs::path source = PLUMB_SOURCE_DIR, folder = fs::temp_directory_path() / "unbuilt";
     fs::remove_all(folder);
     fs::create_directories(folder / "games" / "maze");
     for (const fs::path file : {"games/run", "games/list.txt", "games/maze/README.md"})

@@ -8,7 +8,7 @@ namespace plumb::test {
 std::filesystem::path buildBits(const std::string& compiler, const std::string& optimisation) {
     const std::filesystem::path folder = houseFolder("bits") / (compiler + optimisation);
     const bool games = compiler == "clang++" && optimisation == "-O1";
-    // All this is compiled three times, and two thirds of that is reading Eigen.
+    // All this is compiled twice.
     buildProject({.source = std::string(PLUMB_SOURCE_DIR) + "/tests/bits",
                   .build = folder,
                   .options = {"-DCMAKE_CXX_COMPILER=" + compiler, "-DCMAKE_BUILD_TYPE=Release",

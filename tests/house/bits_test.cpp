@@ -90,7 +90,7 @@ WeakSymbols weakSymbolsOf(const fs::path& archive) {
 
 }  // namespace
 
-TEST_CASE("GCC and Clang at -O1 and -O3, on 1, 4, 8 and 16 lanes, come to one state hash", "[house][build]") {
+TEST_CASE("GCC at -O1 and -O3 and Clang at -O1, on 1, 4, 8 and 16 lanes, come to one state hash", "[house][build]") {
     const std::string reference = hashFrom("g++", "-O1");
     INFO(reference);
     const std::size_t scenes = plumb::compare::builtinScenes().size();
@@ -99,7 +99,6 @@ TEST_CASE("GCC and Clang at -O1 and -O3, on 1, 4, 8 and 16 lanes, come to one st
     CHECK(countOf("lanes", reference) == 0);
     CHECK(hashFrom(PLUMB_BITS_PROGRAM) == reference);  // of this build: GCC at -O3, where it is the preset release
     CHECK(hashFrom("clang++", "-O1") == reference);
-    CHECK(hashFrom("clang++", "-O3") == reference);
     // And the kit as it is built here, each part with the flags that it has by itself.
     for (const plumb::compare::Scene& scene : plumb::compare::builtinScenes())
         CHECK(countOf("\n" + hashLineOf(scene) + "\n", reference) == 1);
@@ -108,8 +107,8 @@ TEST_CASE("GCC and Clang at -O1 and -O3, on 1, 4, 8 and 16 lanes, come to one st
 // The linker keeps one of all that have a name: were it the one with wide instructions, every machine would run it.
 TEST_CASE("objects for 8 and 16 lanes share no inline code with the rest of the kit", "[house][build]") {
     const fs::path inBuild = fs::path("kit") / "libplumb.a", below = "plumb" / inBuild;
-    for (const fs::path& archive : {fs::path(PLUMB_BUILD_DIR) / inBuild, buildBits("g++", "-O1") / below,
-                                    buildBits("clang++", "-O1") / below, buildBits("clang++", "-O3") / below}) {
+    for (const fs::path& archive :
+         {fs::path(PLUMB_BUILD_DIR) / inBuild, buildBits("g++", "-O1") / below, buildBits("clang++", "-O1") / below}) {
         const WeakSymbols found = weakSymbolsOf(archive);
         CHECK(found.objects == 2);  // one of each width: its sources are compiled as one
         for (const std::string& name : found.misplaced) FAIL_CHECK(archive.string() << ", " << name);

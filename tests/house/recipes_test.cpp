@@ -197,7 +197,7 @@ TEST_CASE("the pages have a recipe for each thing that the repository is for", "
 TEST_CASE("every command on a page does what the page says, in a checkout of its own", "[house][build]") {
     const Checkout checkout;
     for (const Recipe& recipe : allRecipes()) {
-        if (recipe.command == "./tests/run") continue;  // it would come here again
+        if (recipe.command.starts_with("./tests/run")) continue;  // it would come here again
         if (recipe.page == "games/README.md") addNewGame(checkout);
         follow(checkout, recipe);
     }

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "catch.h"
-#include "house/cmake_project.h"
 #include "house/repository.h"
 #include "house/shell.h"
 
@@ -21,7 +20,7 @@ void writeCommand(const fs::path& file, const std::string& script) {
 /// What install.sh says it installs on a machine that has no package yet. Nothing is installed: the commands that it
 /// asks are stand-ins.
 std::string installedFor(const std::string& sections) {
-    const fs::path folder = houseFolder("setup");
+    const fs::path folder = fs::temp_directory_path() / "setup";
     fs::remove_all(folder);
     fs::create_directories(folder / "bin");
     fs::create_directories(folder / ".setup");

@@ -7,7 +7,6 @@
 
 #include <plumb/dynamics/edit/body_shapes.h>
 #include <plumb/dynamics/edit/edits.h>
-#include <plumb/dynamics/edit/field_edits.h>
 #include <plumb/dynamics/edit/joint_edits.h>
 #include <plumb/dynamics/edit/validate.h>
 #include <plumb/math/check.h>

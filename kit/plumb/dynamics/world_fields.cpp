@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include <plumb/collide/distance.h>
-#include <plumb/dynamics/bodies/placed_outline.h>
 #include <plumb/dynamics/edit/edits.h>
-#include <plumb/dynamics/edit/field_edits.h>
 #include <plumb/dynamics/edit/validate.h>
 #include <plumb/dynamics/fields/field_phases.h>
 #include <plumb/dynamics/fields/field_scope.h>
+#include <plumb/dynamics/fields/placed_outline.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
 

@@ -5,7 +5,7 @@
 
 #include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/edit/body_shapes.h>
-#include <plumb/dynamics/edit/tile_shapes.h>
+#include <plumb/dynamics/edit/shape_pieces.h>
 #include <plumb/dynamics/edit/validate.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>

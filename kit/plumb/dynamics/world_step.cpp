@@ -5,11 +5,10 @@
 #include <chrono>
 
 #include <plumb/dynamics/contacts/bounds.h>
-#include <plumb/dynamics/contacts/crowd.h>
 #include <plumb/dynamics/contacts/narrow_phase.h>
 #include <plumb/dynamics/edit/edits.h>
 #include <plumb/dynamics/edit/joint_edits.h>
-#include <plumb/dynamics/edit/quarantine.h>
+#include <plumb/dynamics/edit/step_edits.h>
 #include <plumb/dynamics/fields/field_phases.h>
 #include <plumb/dynamics/impacts/chain_slides.h>
 #include <plumb/dynamics/impacts/flight_stops.h>
@@ -18,7 +17,7 @@
 #include <plumb/dynamics/islands/wake.h>
 #include <plumb/dynamics/ledger/step_audit.h>
 #include <plumb/dynamics/loads/push_apart.h>
-#include <plumb/dynamics/meetings/wall_touch.h>
+#include <plumb/dynamics/meetings/wall_impact.h>
 #include <plumb/dynamics/sensors/sensors.h>
 #include <plumb/dynamics/solver/solver.h>
 #include <plumb/dynamics/world.h>
@@ -134,26 +133,7 @@ void load(Step& s) {
 }
 
 void findPairs(Step& s) {
-    WorldState& w = s.world;
-    const SortedPairs& pairs = w.space.findNewPairs();
-    const std::span<const Vec2> shifts = w.space.newPairShifts();
-    Crowd crowd(w.contacts, w.bodies, w.space);
-    if (!w.contacts.leftOut.empty())
-        crowd.takeBack([&w](const ShiftedShapes& pair) {
-            for (const ProxyId proxy : {pair.shapes.a, pair.shapes.b}) w.bodies.notePlaced(w.space[proxy].owner);
-            w.contacts.early.push_back(pair.shapes);  // shapes that were edited meanwhile are found again below
-            addPair(w, pair);
-        });
-    std::vector<Pair>& early = w.contacts.early;
-    std::sort(early.begin(), early.end());
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const ShiftedShapes pair{pairs[i], shifts.empty() ? Vec2(0, 0) : shifts[i]};
-        if (std::binary_search(early.begin(), early.end(), pairs[i]) &&
-            findContact(w.contacts, w.bodies, w.space, pair) != none)
-            continue;
-        if (!crowd.leavesOut(pair)) addPair(w, pair);
-    }
-    early.clear();
+    addNewPairs(s.world);
 }
 
 void collide(Step& s) {

@@ -33,7 +33,7 @@ Oscillator oscillatorOf(double mass, double stiffness, double damping);
 
 /// T = 2 pi / (w sqrt(1 - z^2)) [s]; empty when there is no oscillation, z >= 1 or w = 0. Throws as oscillatorStep
 /// does.
-/// Test: "a spring of 4 N/m and 0.4 N s/m takes 1 kg from 1 m to -0.2580702634 m in 1 s; its period is
+/// Test: "a spring of 4 N/m and 0.4 N s/m takes 1 kg from 1 m to -0.2580702634 m in 1 s, its period is
 /// 3.1574194170 s"
 std::optional<double> dampedPeriod(const Oscillator& oscillator);
 

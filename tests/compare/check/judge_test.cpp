@@ -14,7 +14,7 @@ std::optional<double> orderOf(const std::vector<double>& errors) {
 
 }  // namespace
 
-TEST_CASE("errors of 16, 4 and 1 mm show order 2; of 16, 8 and 1 mm the smaller, 1", "[compare][check]") {
+TEST_CASE("errors of 16, 4 and 1 mm show order 2, of 16, 8 and 1 mm the smaller, 1", "[compare][check]") {
     CHECK_THAT(*orderOf({16e-3, 4e-3, 1e-3}), WithinAbs(2, 1e-12));
     CHECK_THAT(*orderOf({16e-3, 8e-3, 1e-3}), WithinAbs(1, 1e-12));
     CHECK_THAT(*orderOf({1e-3, 2e-3, 1e-3}), WithinAbs(-1, 1e-12));

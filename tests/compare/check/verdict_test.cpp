@@ -159,7 +159,7 @@ TEST_CASE("an error of 0.3 dt^2 has order 2: at least 1.9, not at least 2.1", "[
           Verdict::Fails);
 }
 
-TEST_CASE("an error that stays as it is has order 0; one that is only rounding has none, and holds",
+TEST_CASE("an error that stays as it is has order 0, one that is only rounding has none, and holds",
           "[compare][check]") {
     const Scene scene = resting({OrderCheck{1, {"plumb"}, ""}});
     const SceneResult stuck = run(scene, withTruth(standing("plumb", 1e-6)));
@@ -184,7 +184,7 @@ TEST_CASE("engines that were not asked for are neither run nor judged, and the c
     CHECK_FALSE(box2dOnly.engines[0].measured.metrics.at("divergence_max"));
 }
 
-TEST_CASE("a Box2D without a counterpart is not judged; a Plumb without one fails", "[compare][check]") {
+TEST_CASE("a Box2D without a counterpart is not judged, a Plumb without one fails", "[compare][check]") {
     const Scene scene = resting({exact(1), AgreeCheck{1, 1, ""}, InvariantCheck{"error_max", 1, {"box2d-3"}, ""}});
     const std::vector<Engine> engines{standing("plumb", 0), unsupporting("box2d-3"), standing("closed-form", 0)};
     const SceneResult result = run(scene, engines);
@@ -213,7 +213,7 @@ TEST_CASE("a scene is not judged without checks, nor where none of them binds an
     CHECK(run(resting({exact(1)}), engines).verdict == Verdict::Holds);
 }
 
-TEST_CASE("of several scenes one that fails decides, then one that holds; of none nothing was judged",
+TEST_CASE("of several scenes one that fails decides, then one that holds, of none nothing was judged",
           "[compare][check]") {
     const std::vector<Engine> engines = standingAt(0.1, 0.1, 0.2);
     const SceneResult unjudged = run(resting({}), engines);

@@ -30,7 +30,7 @@ Shown shownBy(const Engine& engine) {
 
 }  // namespace
 
-TEST_CASE("an engine with one sub-step says so, and is another one; without sub-steps it is the same",
+TEST_CASE("an engine with one sub-step says so, and is another one, without sub-steps it is the same",
           "[compare][engine]") {
     for (const Engine& engine : engines()) {
         if (engine.role == Role::Truth) continue;

@@ -97,7 +97,7 @@ TEST_CASE("what pulls or only forbids touching is never torn", "[compare][metric
     CHECK(gap(FilterJointDef{}, discAt(9, 9)) == 0);
 }
 
-TEST_CASE("a hinge is beyond its limit by angle, counted from the start; a slide by shift", "[compare][metric]") {
+TEST_CASE("a hinge is beyond its limit by angle, counted from the start, a slide by shift", "[compare][metric]") {
     const JointStates hinge(joined(RevoluteJointDef{.anchor = {2, 0}, .limit = Limit{-0.5, 1}}));
     CHECK(hinge.beyondLimit(0, discAt(2, 0, 0.9)) == 0);
     CHECK_THAT(hinge.beyondLimit(0, discAt(2, 0, 1.25)), WithinAbs(0.25, jointRounding));

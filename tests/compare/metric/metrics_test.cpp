@@ -81,7 +81,7 @@ TEST_CASE("divergence passes 1 cm after 0.2 s and reaches 6 cm", "[compare][metr
     CHECK_THAT(*divergenceUntil(scene, seen, reference, 99), WithinAbs(0.06, metricRounding));
 }
 
-TEST_CASE("a disc in free flight keeps its energy; momentum drifts by all that gravity gives", "[compare][metric]") {
+TEST_CASE("a disc in free flight keeps its energy, momentum drifts by all that gravity gives", "[compare][metric]") {
     const Metrics metrics = metricsOf(oneDisc(), thrown);
     CHECK_THAT(*metrics.at("energy_drift"), WithinAbs(0, metricRounding));
     // from 6 N s to -14 N s, relative to the largest, 14
@@ -144,7 +144,7 @@ TEST_CASE("a scene without a dynamic body has no drift", "[compare][metric]") {
     CHECK_FALSE(metrics.at("settle_time"));
 }
 
-TEST_CASE("two discs that swap 1 m/s keep momentum and energy; one that stops loses half of each",
+TEST_CASE("two discs that swap 1 m/s keep momentum and energy, one that stops loses half of each",
           "[compare][metric]") {
     Scene scene = oneDisc();
     scene.gravity = {0, 0};

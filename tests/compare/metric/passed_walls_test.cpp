@@ -28,7 +28,7 @@ std::optional<std::size_t> passed(const Scene& scene, const Vec2& place) {
 
 }  // namespace
 
-TEST_CASE("a body in a wall, beyond it or below the floor has passed it; one in the bin or over it has not",
+TEST_CASE("a body in a wall, beyond it or below the floor has passed it, one in the bin or over it has not",
           "[compare][metric]") {
     const Scene scene = bin();
     for (const Vec2& place : {Vec2(0, 0.2), Vec2(-4.9, 3), Vec2(0, 100), Vec2(5.5, 7), Vec2(0, 0)})

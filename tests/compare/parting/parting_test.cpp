@@ -155,7 +155,7 @@ TEST_CASE("two runs that are the same do not part, and are 0 m off", "[compare][
     CHECK(partingText(scene, parting) == "plumb and chipmunk stay together: no body is farther than 0 m off its path.");
 }
 
-TEST_CASE("who is late by a step, or less, is on the path; who is 2 cm beside it is not", "[compare][parting]") {
+TEST_CASE("who is late by a step, or less, is on the path, who is 2 cm beside it is not", "[compare][parting]") {
     const Scene scene = oneDisc();
     const auto ahead = [](double t) { return Vec2(3 * t, t * t); };
     const Observation first = told(scene, "plumb", ahead);

@@ -31,7 +31,7 @@ spoken("is pushed a little, alone", [0, 0], (t) => 0.01 * t * t / 2);
 }  // namespace
 
 // The arrows of discs that slid on ice said 500 µN.
-TEST_CASE("a force is drawn from a thousandth of the weight on, or of the run's largest force; rounding never is",
+TEST_CASE("a force is drawn from a thousandth of the weight on, or of the run's largest force, rounding never is",
           "[compare][report][build]") {
     if (noBrowser()) return;
     const BrowserFolder folder;

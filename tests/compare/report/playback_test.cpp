@@ -57,7 +57,7 @@ TEST_CASE("the kept ticks begin with 0, end with the last, and are a stride apar
     CHECK(keptTicks(0, 1).empty());
 }
 
-TEST_CASE("two discs over ten steps are 66 numbers; the static floor is not played", "[compare][report]") {
+TEST_CASE("two discs over ten steps are 66 numbers, the static floor is not played", "[compare][report]") {
     const SceneResult result = discs(2, 10);
     CHECK(playedBodies(result.scene, Role::Subject) == std::vector<std::size_t>{1, 2});
     CHECK(playbackNumbers(result, 1) == 2 * 11 * 3);
@@ -77,7 +77,7 @@ TEST_CASE("scenes within the budget keep all their steps", "[compare][report]") 
     for (const PlaybackFormat& format : fitPlayback(results, 1'000'000)) CHECK(format.stride == 1);
 }
 
-TEST_CASE("a large scene loses steps; the small ones beside it lose none", "[compare][report]") {
+TEST_CASE("a large scene loses steps, the small ones beside it lose none", "[compare][report]") {
     const std::vector<SceneResult> results{discs(20, 1000), discs(2, 10)};
     REQUIRE(playbackNumbers(results[0], 1) == 60'060);
     const std::vector<PlaybackFormat> thin = fitPlayback(results, 25'000);

@@ -78,7 +78,7 @@ TEST_CASE("a weak crew wins fewer than half of 50 battles against a strong one",
     REQUIRE(won * 2 < battles);
 }
 
-TEST_CASE("the same seed and buttons give the same battle to the last bit; another seed or other buttons do not",
+TEST_CASE("the same seed and buttons give the same battle to the last bit, another seed or other buttons do not",
           "[games][artillery]") {
     const std::uint64_t hash = hashAfter(3, 4, 3000);
     REQUIRE(hashAfter(3, 4, 3000) == hash);

@@ -64,7 +64,7 @@ TEST_CASE("a camera of height 0 or without a finite centre and a window of 0 pix
     CHECK_THROWS_WITH(Canvas({0, 360}), test::containsText("0 x 360"));
 }
 
-TEST_CASE("a mark in a higher layer is painted later; marks in one layer are painted in the order they were drawn",
+TEST_CASE("a mark in a higher layer is painted later, marks in one layer are painted in the order they were drawn",
           "[games]") {
     Canvas canvas({640, 360});
     Random random(5);
@@ -101,7 +101,7 @@ TEST_CASE("a place within a place is turned, scaled and shifted by both, and end
     CHECK(marks[1].opacity == 1);
 }
 
-TEST_CASE("a clip within a clip is the common part of both; for one beside the other that part is empty", "[games]") {
+TEST_CASE("a clip within a clip is the common part of both, for one beside the other that part is empty", "[games]") {
     Canvas canvas({640, 360});
     {
         const auto outer = canvas.clip({10, 10}, {100, 100});

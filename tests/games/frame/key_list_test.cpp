@@ -15,7 +15,7 @@ TEST_CASE("actions with the same text share one entry, with the first keys first
     CHECK(keyLines(actions, 200) == Lines{"← → or A D  walk     ·     Space or Z  jump"});
 }
 
-TEST_CASE("keys that do not fit into a line go into the next line; an arrow counts as one letter", "[games]") {
+TEST_CASE("keys that do not fit into a line go into the next line, an arrow counts as one letter", "[games]") {
     const std::vector<Action> actions{{"left", {Key::Left}, {}, "a"}, {"up", {Key::Up}, {}, "b"}};
     CHECK(keyLines(actions, 19) == Lines{"←  a     ·     ↑  b"});
     CHECK(keyLines(actions, 18) == Lines{"←  a", "↑  b"});

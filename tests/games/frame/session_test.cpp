@@ -216,7 +216,7 @@ TEST_CASE("each hit of a round plays one cue, and the game behind the title play
     CHECK(p.session.takeCues().empty());
 }
 
-TEST_CASE("a round is drawn between two ticks, at the part of the tick that has passed; a paused one is drawn at 1",
+TEST_CASE("a round is drawn between two ticks, at the part of the tick that has passed, a paused one is drawn at 1",
           "[games]") {
     Played p;
     p.tap("confirm");
@@ -263,7 +263,7 @@ TEST_CASE("the computer starts the session by itself, wins, and plays again", "[
     CHECK_THROWS_WITH(computerSource(lonely), containsText("counting has no computer player"));
 }
 
-TEST_CASE("behind the title the computer plays, or the game draws its own title; neither changes the session",
+TEST_CASE("behind the title the computer plays, or the game draws its own title, neither changes the session",
           "[games]") {
     GameInfo other = test::countingGame();
     double shown = -1;

@@ -145,7 +145,7 @@ TEST_CASE("fruit gives 100, 300, 500, 500, 700, 700, 1000, 1000, 2000, 2000, 300
     for (std::size_t i = 0; i < points.size(); ++i) CHECK(rulesOf(static_cast<int>(i) + 1).fruit.points == points[i]);
 }
 
-TEST_CASE("a level ends with its 244th crumb, and the next begins with 244; 10,000 points give one extra life",
+TEST_CASE("a level ends with its 244th crumb, and the next begins with 244, 10,000 points give one extra life",
           "[games][maze][slow]") {
     const GameSetup setup{1, {{"level", "13"}, {"levels", "3"}}};
     const GameInfo game = info();

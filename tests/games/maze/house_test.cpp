@@ -72,7 +72,7 @@ TEST_CASE("only the first waiting hunter counts dots, and it keeps its count aft
     CHECK(house.counters.dotsOf(Who::Flanker) == 12);
 }
 
-TEST_CASE("after a death one shared counter lets hunters out at 7 and 17; at 32 the loner's own counter takes over",
+TEST_CASE("after a death one shared counter lets hunters out at 7 and 17, at 32 the loner's own counter takes over",
           "[games][maze]") {
     House house(1);
     house.counters.beginLifeAfterDeath();

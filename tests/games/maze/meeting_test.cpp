@@ -34,7 +34,7 @@ TEST_CASE("the four hunters start at the source's pixels, the chaser before the 
     CHECK(chase.hunter(Who::Loner).position() == placeOf(128, 140));
 }
 
-TEST_CASE("a hunter and the player meet if both are in one cell after both moved; if they swap cells, they pass",
+TEST_CASE("a hunter and the player meet if both are in one cell after both moved, if they swap cells, they pass",
           "[games][maze]") {
     int caught = 0, swapped = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -69,7 +69,7 @@ TEST_CASE("a hunter and the player meet if both are in one cell after both moved
     CHECK(swapped > 0);
 }
 
-TEST_CASE("in one fright hunters give 200, 400, 800, 1600 points; after each, only eyes move for 60 frames",
+TEST_CASE("in one fright hunters give 200, 400, 800, 1600 points, after each, only eyes move for 60 frames",
           "[games][maze]") {
     test::DrivenChase driven(1, 1, {.frames = 120, .hunter = 4000});
     const Chase& chase = driven.chase();

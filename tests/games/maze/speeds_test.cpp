@@ -165,7 +165,7 @@ TEST_CASE("eating dots lowers the player's speed to 71, 79, 87 and 79 %: it paus
     }
 }
 
-TEST_CASE("a dot pauses the player for 1 frame, a power dot for 3; they give 10 and 50 points", "[games][maze]") {
+TEST_CASE("a dot pauses the player for 1 frame, a power dot for 3, they give 10 and 50 points", "[games][maze]") {
     test::DrivenChase driven(1);
     const Chase& chase = driven.chase();
     int dots = 0, powers = 0, held = 0;

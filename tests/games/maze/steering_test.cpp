@@ -36,7 +36,7 @@ TEST_CASE("each direction has an action with its name, and both have the same in
     }
 }
 
-TEST_CASE("of two held keys the later one counts; when it is released, the earlier one counts again", "[games][maze]") {
+TEST_CASE("of two held keys the later one counts, when it is released, the earlier one counts again", "[games][maze]") {
     Hand hand;
     CHECK(hand.hold({}) == std::nullopt);
     CHECK(hand.hold({Direction::Left}) == Direction::Left);

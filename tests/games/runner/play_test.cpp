@@ -67,7 +67,7 @@ TEST_CASE("a copy of a stage continues like the original to the last bit", "[gam
     CHECK(stage.hash() == copy.hash());
 }
 
-TEST_CASE("the same seed and buttons give the same hash; another seed gives another hash", "[games][runner]") {
+TEST_CASE("the same seed and buttons give the same hash, another seed gives another hash", "[games][runner]") {
     const auto hashOf = [](std::uint64_t seed) {
         const ActionList actions(runner::actions());
         Runner runner(setupOf(seed, "modern"));

@@ -109,7 +109,7 @@ TEST_CASE("a held modern jump rises 4.3 m, and an earlier release makes it lower
     CHECK(jumpOf(stageOf(fieldOf(8)), 8).pixels / 16 < held - 0.5);
 }
 
-TEST_CASE("a hero that falls on a snuffer stomps it and is unhurt; a hero that walks into one is hurt",
+TEST_CASE("a hero that falls on a snuffer stomps it and is unhurt, a hero that walks into one is hurt",
           "[games][runner]") {
     for (const std::string profile : {"1985", "modern"}) {
         INFO(profile);

@@ -14,7 +14,6 @@
 
 #include "catch.h"
 #include "games/counting_game.h"
-#include "house/cmake_project.h"
 
 using namespace plumb;
 using namespace plumb::games;
@@ -23,10 +22,11 @@ namespace {
 
 /// Chooses SDL's dummy drivers for window and sound, and a folder of the test for the scores.
 void pretendDevices() {
-    std::filesystem::create_directories(test::houseFolder("games") / "scores");
+    const std::filesystem::path scores = std::filesystem::temp_directory_path() / "scores";
+    std::filesystem::create_directories(scores);
     setenv("SDL_VIDEODRIVER", "dummy", 1);
     setenv("SDL_AUDIODRIVER", "dummy", 1);
-    setenv("XDG_DATA_HOME", (test::houseFolder("games") / "scores").c_str(), 1);
+    setenv("XDG_DATA_HOME", scores.c_str(), 1);
 }
 
 void pushKey(SDL_Scancode code, SDL_Keycode symbol, bool down) {

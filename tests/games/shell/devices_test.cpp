@@ -45,7 +45,7 @@ std::vector<Buttons> take(Devices& devices, int ticks) {
 
 }  // namespace
 
-TEST_CASE("a key is down from its tick until it is released; repeats by the keyboard are ignored", "[games]") {
+TEST_CASE("a key is down from its tick until it is released, repeats by the keyboard are ignored", "[games]") {
     Devices devices;
     devices.handle(keyEvent(SDL_SCANCODE_LEFT, true));
     CHECK(take(devices, 2) == std::vector<Buttons>{leftButton, leftButton});

@@ -161,7 +161,7 @@ TEST_CASE("the figures of the world are shown in a round and behind its menus, b
     }
 }
 
-TEST_CASE("a picture ends where the footer begins, at a whole pixel; without a footer it fills the window", "[games]") {
+TEST_CASE("a picture ends where the footer begins, at a whole pixel, without a footer it fills the window", "[games]") {
     for (const PixelSize size : sizes)
         for (const std::size_t lines : {0u, 1u, 2u}) {
             CAPTURE(size.width, lines);

@@ -9,7 +9,6 @@
 
 #include "catch.h"
 #include "games/texts.h"
-#include "house/cmake_project.h"
 
 using namespace plumb;
 using namespace plumb::games;
@@ -108,7 +107,7 @@ TEST_CASE("a higher layer hides a lower one that was drawn later", "[games]") {
     CHECK(picture.at(15, 5) == blue);
 }
 
-TEST_CASE("nothing is painted outside a clip; after its end everything is painted again", "[games]") {
+TEST_CASE("nothing is painted outside a clip, after its end everything is painted again", "[games]") {
     const Picture picture = painted([](Canvas& c) {
         {
             const auto clip = c.clip({10, 10}, {20, 20});
@@ -171,7 +170,7 @@ TEST_CASE("capital letters lie above their position, below it, or centred on it"
     CHECK(std::abs((box(Baseline::Middle).lower.y() + box(Baseline::Middle).upper.y()) / 2 - 180) <= 1);
 }
 
-TEST_CASE("a text that must fit into 100 units is 95 to 100 units wide; a short text is not changed", "[games]") {
+TEST_CASE("a text that must fit into 100 units is 95 to 100 units wide, a short text is not changed", "[games]") {
     for (const PixelSize size : {PixelSize{640, 360}, PixelSize{1920, 1080}, PixelSize{3840, 2160}}) {
         const double unit = size.width / 640.0;
         const TextStyle style{.size = 40, .align = Align::Center, .weight = Weight::Heavy, .fitWidth = 100};
@@ -230,9 +229,8 @@ TEST_CASE("the checks find one text that reaches out of the window, and one that
     CHECK(test::textsOverlapping(canvas.drawing(), painter(), 0).size() == 1);
 }
 
-TEST_CASE("a picture is written as a PNG of its size; an error names a folder that does not exist", "[games]") {
-    std::filesystem::create_directories(test::houseFolder("games"));
-    const std::string file = (test::houseFolder("games") / "a.png").string();
+TEST_CASE("a picture is written as a PNG of its size, an error names a folder that does not exist", "[games]") {
+    const std::string file = (std::filesystem::temp_directory_path() / "a.png").string();
     Picture picture = painted([](Canvas& c) { c.circle({100, 100}, 50, white); }, {320, 180});
     writePng(picture.view(), file);
     std::ifstream in(file, std::ios::binary);

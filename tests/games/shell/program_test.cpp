@@ -8,7 +8,6 @@
 
 #include "catch.h"
 #include "games/walk_through.h"
-#include "house/cmake_project.h"
 #include "house/shell.h"
 
 using namespace plumb::test;
@@ -19,8 +18,7 @@ namespace fs = std::filesystem;
 
 /// A file in the test's own folder.
 std::string fileOf(const std::string& name) {
-    fs::create_directories(houseFolder("games"));
-    return (houseFolder("games") / name).string();
+    return (fs::temp_directory_path() / name).string();
 }
 
 std::string written(const std::string& name, const std::string& text) {
@@ -82,7 +80,7 @@ TEST_CASE("the example of games/README.md has fewer than forty lines, is built, 
     CHECK(result["hash"].get<std::string>().size() == 16);
 }
 
-TEST_CASE("a record of a replay is the same record with the hash at its end; a replay with another hash is refused",
+TEST_CASE("a record of a replay is the same record with the hash at its end, a replay with another hash is refused",
           "[games]") {
     const std::string first = written("first.record", kicks), second = fileOf("second.record");
     const auto result = resultOf("--headless --replay " + first + " --record " + second);

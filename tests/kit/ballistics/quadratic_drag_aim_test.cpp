@@ -123,7 +123,7 @@ TEST_CASE("straight up and down through quadratic drag the times are those of th
                 CHECK(flyShot(air, shot, target, 1e-12).miss < 1e-9 * flyShot(air, shot, target, 1e-12).path);
 }
 
-TEST_CASE("as drag goes to 0 the shots go to those without it; as gravity does, to a straight one", "[ballistics]") {
+TEST_CASE("as drag goes to 0 the shots go to those without it, as gravity does, to a straight one", "[ballistics]") {
     const std::vector<Shot> plain = plumb::aim({.target = {30, 5}, .speed = 20});
     for (const double coefficient : {1e-4, 1e-7, 1e-10, 1e-13, 1e-50, 1e-300, 0.0}) {
         const std::vector<Shot> shots =

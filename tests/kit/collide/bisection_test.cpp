@@ -95,7 +95,7 @@ TEST_CASE("halving n times is within 2^-n of the first touch, 100,000 times", "[
     CHECK(sameTouch > found / 2);
 }
 
-TEST_CASE("bisection does not see what went right through, nor what touched and parted; it needs an overlap at the end",
+TEST_CASE("bisection does not see what went right through, nor what touched and parted, it needs an overlap at the end",
           "[collide][sweep]") {
     const Shape bullet = plumb::Circle{0.01}, window = plumb::boxPolygon({0.05, 1});
     const Sweep through{.start = {-8, 0}, .shift = {1000.0 / 60, 0}};

@@ -213,7 +213,7 @@ TEST_CASE("a rod of 2 m that turns by half a turn meets a peg of 0.1 m, 1 m abov
     CHECK_FALSE(firstTouch(rod, turning, plumb::Circle{0.1}, {.start = {0, 2.2}}));
 }
 
-TEST_CASE("a disc that circles ten times around a disc, 0.1 mm off, does not touch it; 4 um off it does",
+TEST_CASE("a disc that circles ten times around a disc, 0.1 mm off, does not touch it, 4 um off it does",
           "[collide][sweep]") {
     const Sweep circling{.turn = 20 * std::numbers::pi}, still{};
     const Shape around = plumb::Circle{0.5, {1.5, 0}};
@@ -223,7 +223,7 @@ TEST_CASE("a disc that circles ten times around a disc, 0.1 mm off, does not tou
     CHECK(touch->time == 0);
 }
 
-TEST_CASE("what overlaps at the start touches at 0, along the shortest way out; a chain at its deepest segment",
+TEST_CASE("what overlaps at the start touches at 0, along the shortest way out, a chain at its deepest segment",
           "[collide][sweep]") {
     const Sweep still{}, moving{.start = {0.9, 0.2}, .shift = {5, 0}, .turn = 1};
     const auto boxes = firstTouch(plumb::boxPolygon({0.5, 0.5}), still, plumb::boxPolygon({0.5, 0.5}), moving);

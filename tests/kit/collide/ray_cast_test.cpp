@@ -145,7 +145,7 @@ TEST_CASE("a ray that ends 0.001 m before a wall misses it, and one that ends on
     CHECK(hit->fraction == 1);
 }
 
-TEST_CASE("a ray from inside meets at 0, its normal against it; one that begins on an edge does too", "[collide]") {
+TEST_CASE("a ray from inside meets at 0, its normal against it, one that begins on an edge does too", "[collide]") {
     const Shape box = plumb::boxPolygon({1, 1});
     for (const Vec2& from : {Vec2(0.5, 0), Vec2(-1, 0), Vec2(1, 0)}) {
         const std::optional<CastPoint> hit = castRay(from, from + Vec2(3, 4), box, {});

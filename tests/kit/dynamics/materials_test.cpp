@@ -64,7 +64,7 @@ TEST_CASE("a disc with rolling resistance 0.2 slows down at 2/3 0.2 g = 1.308 m/
     CHECK_FALSE(world.body(disc).awake());
 }
 
-TEST_CASE("rolling resistance of the floor holds as well as the disc's; the larger counts", "[dynamics][materials]") {
+TEST_CASE("rolling resistance of the floor holds as well as the disc's, the larger counts", "[dynamics][materials]") {
     const auto speedAfter = [](double ofFloor, double ofDisc) {
         World world = tiltedFloorWorld({.friction = 0.8, .rollingResistance = ofFloor});
         const BodyId disc = world.add({.position = {0, 0.5},

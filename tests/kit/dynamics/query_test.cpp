@@ -143,7 +143,7 @@ TEST_CASE("a query meets what its filter would collide with, and no sensor", "[d
     CHECK(found({.group = -5}) == std::vector{plain, second});
 }
 
-TEST_CASE("what just touches a box, a shape or a point overlaps it; what is 1e-9 m off does not", "[dynamics]") {
+TEST_CASE("what just touches a box, a shape or a point overlaps it, what is 1e-9 m off does not", "[dynamics]") {
     World world;
     const BodyId body = addBox(world, {2, 0});
     const std::vector<ShapeId> it{{body, 0}};
@@ -218,7 +218,7 @@ TEST_CASE("queries refuse what is no place, no shape and no distance, by name an
     refuses([&] { world.distance({body, 0}, {}); }, "World.distance: b.body");
 }
 
-TEST_CASE("of a chain of three links a cast's pieces are three hits, all of it one; of a body that is ignored none",
+TEST_CASE("of a chain of three links a cast's pieces are three hits, all of it one, of a body that is ignored none",
           "[dynamics]") {
     World world;
     const BodyId hills = world.add({.type = BodyType::Static, .shapes = {chain({{6, 0}, {4, 1}, {2, 0}, {0, 1}})}});

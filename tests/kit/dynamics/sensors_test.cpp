@@ -135,7 +135,7 @@ TEST_CASE("a ball set from one place in a sensor to another stays in it without 
     CHECK(visits.begins + visits.ends == 0);
 }
 
-TEST_CASE("a bullet at 500 m/s through a sensor 1 cm thick begins and ends in one step; past it, it does not",
+TEST_CASE("a bullet at 500 m/s through a sensor 1 cm thick begins and ends in one step, past it, it does not",
           "[dynamics][sensor]") {
     for (const double y : {0.0, 1.2}) {
         World world = weightless();

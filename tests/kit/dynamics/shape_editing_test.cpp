@@ -154,7 +154,7 @@ TEST_CASE("a given mass outlasts new shapes and a time as a static body", "[dyna
     CHECK((world.body(body).centerOfMass() - Vec2(0.1, 0)).norm() < 1e-15);
 }
 
-TEST_CASE("a filter that lets in what it kept out finds what lies there; wider, it keeps the touch",
+TEST_CASE("a filter that lets in what it kept out finds what lies there, wider, it keeps the touch",
           "[dynamics][editing]") {
     Rest rest;
     World& world = rest.world;
@@ -193,7 +193,7 @@ TEST_CASE("a filter decides anew who is in a sensor", "[dynamics][editing][senso
     }
 }
 
-TEST_CASE("a floor made a sensor lets a ball through and tells of it; solid again, it holds the next",
+TEST_CASE("a floor made a sensor lets a ball through and tells of it, solid again, it holds the next",
           "[dynamics][editing][sensor]") {
     World world;
     const BodyId floor = world.add({.type = BodyType::Static, .shapes = {plumb::box({5, 0.5})}});

@@ -184,7 +184,7 @@ TEST_CASE("whether a throw reaches a height is decided to the last bit: 10 m/s a
 }
 
 // The lecture, slide 7: thrown up at 10 m/s, a ball rises 5 m where g is 10; section 3: apex = v_y^2 / 2g.
-TEST_CASE("a ball thrown up at 10 m/s rises 5 m at g = 10; at 45 degrees and 20 m/s 10.193679918 m at 9.81",
+TEST_CASE("a ball thrown up at 10 m/s rises 5 m at g = 10, at 45 degrees and 20 m/s 10.193679918 m at 9.81",
           "[kinematics][facts]") {
     const MotionSolutions toss = solveMotion({.startVelocity = 10, .endVelocity = 0, .acceleration = -10});
     REQUIRE(toss.motions.size() == 1);

@@ -109,7 +109,7 @@ TEST_CASE("an oscillator is smooth across critical damping, and where its series
 }
 
 // Worked numbers of response, Spring: m 1, k 4, c 0.4, from 1 m at rest.
-TEST_CASE("a spring of 4 N/m and 0.4 N s/m takes 1 kg from 1 m to -0.2580702634 m in 1 s; its period is 3.1574194170 s",
+TEST_CASE("a spring of 4 N/m and 0.4 N s/m takes 1 kg from 1 m to -0.2580702634 m in 1 s, its period is 3.1574194170 s",
           "[kinematics][facts]") {
     const Oscillator spring = plumb::oscillatorOf(1, 4, 0.4);
     CHECK(std::fabs(oscillate(AxisMotion{1, 0}, 0, spring, 1).position + 0.2580702634) < 5e-11);

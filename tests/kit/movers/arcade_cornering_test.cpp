@@ -80,7 +80,7 @@ TEST_CASE("every early turn gains and every late turn loses a frame a pixel, fro
     });
 }
 
-TEST_CASE("a turn wanted 12 pixels before the centre begins 3 or 4 before it; one a pixel too late not at all",
+TEST_CASE("a turn wanted 12 pixels before the centre begins 3 or 4 before it, one a pixel too late not at all",
           "[arcade][movers]") {
     const TileMap map = crossOfLanes();
     forEveryTurn([&](const Approach& from, Direction exit) {

@@ -93,7 +93,7 @@ TEST_CASE("before and behind the edge of a map that wraps a mover keeps its way:
     CHECK(mover.position(map) == Vec2(0.25, 1.5));
 }
 
-TEST_CASE("a door of tag 1 lets in who opens 1; a floor of tag 2 keeps out whom 2 closes; a rule says it by heading",
+TEST_CASE("a door of tag 1 lets in who opens 1, a floor of tag 2 keeps out whom 2 closes, a rule says it by heading",
           "[movers]") {
     TileMap map = lane(true, 8, false);
     map.set({3, 1}, {.form = TileForm::Full, .tag = 1});
@@ -112,7 +112,7 @@ TEST_CASE("a door of tag 1 lets in who opens 1; a floor of tag 2 keeps out whom 
     CHECK(reach({.rule = [](const Tile&, Direction heading) { return heading != Direction::Right; }}) == 0);
 }
 
-TEST_CASE("a wall put up in front of one that is past the centre sends it back there; nothing stays in a wall",
+TEST_CASE("a wall put up in front of one that is past the centre sends it back there, nothing stays in a wall",
           "[movers]") {
     TileMap map = lane(true, 8, false);
     GridMover mover({.cell = {2, 1}});

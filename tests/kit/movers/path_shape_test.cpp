@@ -142,7 +142,7 @@ TEST_CASE("the length of 1,000 random curves lies where polylines of 2,000 and 4
               << worstLength << ", places by " << worstPlace << " of the size\n";
 }
 
-TEST_CASE("a straight curve of 3 m with its points in thirds is its line; one doubling back on itself is longer",
+TEST_CASE("a straight curve of 3 m with its points in thirds is its line, one doubling back on itself is longer",
           "[movers]") {
     const MotionPath path = pathOf({Vec2(0, 0), Vec2(1, 0), Vec2(2, 0), Vec2(3, 0)});
     CHECK(std::fabs(path.length() - 3) < 1e-14);

@@ -195,7 +195,7 @@ TEST_CASE("in the air only who is at 19h or faster runs, and without input none 
     CHECK(fast.levelSpeed() == kept);
 }
 
-TEST_CASE("a standing jump rises 66 pixels and is back after 53 ticks; held for one tick only, 24 and 21",
+TEST_CASE("a standing jump rises 66 pixels and is back after 53 ticks, held for one tick only, 24 and 21",
           "[arcade][movers]") {
     const Band standing{4, 0x20, 0x70};
     const Twin whole = jumpTwin(standing, 1000), tap = jumpTwin(standing, 1);

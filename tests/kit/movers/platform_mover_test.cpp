@@ -186,7 +186,7 @@ TEST_CASE("who is too fast loses 60 m/s a second by friction in whole ticks and 
     }
 }
 
-TEST_CASE("0.1 s after it ran off a ledge it may still jump; without coyote time, or later, not", "[movers]") {
+TEST_CASE("0.1 s after it ran off a ledge it may still jump, without coyote time, or later, not", "[movers]") {
     const auto jumpsAfter = [](double coyote, int ticks) {
         Game game(with(coyote, 0), 19);
         while (game.step(right).isOnFloor) {
@@ -209,7 +209,7 @@ TEST_CASE("who jumped does not jump again in the air within the coyote time", "[
     CHECK_FALSE(game.mover.hasJumped());
 }
 
-TEST_CASE("a jump asked for 0.1 s before landing is made on landing; without a buffer, or earlier, not", "[movers]") {
+TEST_CASE("a jump asked for 0.1 s before landing is made on landing, without a buffer, or earlier, not", "[movers]") {
     const auto jumpsWhenAskedBefore = [](double buffer, int ticks) {
         Game game(with(0, buffer));
         game.step(jump);
@@ -231,7 +231,7 @@ TEST_CASE("a jump asked for 0.1 s before landing is made on landing; without a b
     CHECK_FALSE(jumpsWhenAskedBefore(0, 2));
 }
 
-TEST_CASE("jumping under an edge by 0.2 m it is shifted aside and rises; without corner correction it bumps",
+TEST_CASE("jumping under an edge by 0.2 m it is shifted aside and rises, without corner correction it bumps",
           "[movers]") {
     for (double side : {1.0, -1.0}) {
         PlatformProfile plain = modernProfile();
@@ -267,7 +267,7 @@ TEST_CASE("a ledge 0.08 m too high for a jump is taken with the nudge, and not w
     }
 }
 
-TEST_CASE("down and jump on a one-way floor drops through it; on another it jumps", "[movers]") {
+TEST_CASE("down and jump on a one-way floor drops through it, on another it jumps", "[movers]") {
     for (bool oneWay : {true, false}) {
         for (double hz : {60.0, 240.0}) {
             Game game;

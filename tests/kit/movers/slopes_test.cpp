@@ -67,7 +67,7 @@ TEST_CASE("round and boxed movers cross random hills at constant speed, on the f
     }
 }
 
-TEST_CASE("who stands on a slope of up to 45 degrees stays; on a steeper one it slides down", "[movers]") {
+TEST_CASE("who stands on a slope of up to 45 degrees stays, on a steeper one it slides down", "[movers]") {
     for (double angle : {0.2, 0.6, 0.78}) {
         World world;
         addStatic(world, {0, 0}, box({20, 0.5}), angle);
@@ -145,7 +145,7 @@ TEST_CASE("who does not stop on slopes slides down one by the part of its way th
 }
 
 TEST_CASE(
-    "who runs off an edge of 0.3 m at 8 m/s flies; where the floor falls away by a slope of 1 in 2 it stays on it",
+    "who runs off an edge of 0.3 m at 8 m/s flies, where the floor falls away by a slope of 1 in 2 it stays on it",
     "[movers]") {
     for (bool slope : {false, true}) {
         World world;

@@ -297,7 +297,7 @@ TEST_CASE("boxes overlap now, or did at the last look, as the accessors tell", "
     CHECK_FALSE(space.previousBoxesOverlap(a, b));
 }
 
-TEST_CASE("of one group shapes collide always or never; else category and mask decide", "[space]") {
+TEST_CASE("of one group shapes collide always or never, else category and mask decide", "[space]") {
     const auto pairs = [](const Filter& a, const Filter& b) {
         Space space;
         space.add(shapeOf(a), 1, false, {0, 0}, around({0, 0}, 1));

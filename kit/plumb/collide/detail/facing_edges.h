@@ -39,7 +39,7 @@ struct FacingEdges {
     using M = typename Wide<W>::Mask;
     static constexpr int edgeBit = 0x80;  ///< as in feature.h
 
-    F startX, startY, wayX, wayY;  ///< of the reference edge: its start, and the way from there to its end [m]
+    F startX, startY, alongX, alongY;  ///< of the reference edge: its start, and the way from there to its end [m]
     F normalX, normalY;            ///< of the reference edge, outward
     F highX, highY, lowX, lowY;    ///< ends of the incident edge [m]
     I edge, start, end;            ///< numbers of the reference edge and of its corners
@@ -111,7 +111,7 @@ struct FacingEdges {
     /// mayBeCorners: the shapes are not known to overlap.
     TouchingEdges<W> meet(M mayBeCorners, F margin) const {
         const F tangentX = -normalY, tangentY = normalX;
-        const F length = tangentX * wayX + tangentY * wayY;
+        const F length = tangentX * alongX + tangentY * alongY;
         const EdgePoint lowEnd = seen(lowX, lowY, low), highEnd = seen(highX, highY, high);
         const CornerPair corners = facingCorners(lowEnd, highEnd, length);
         TouchingEdges<W> touch;

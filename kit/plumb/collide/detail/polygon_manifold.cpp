@@ -84,8 +84,8 @@ Edges edgesAt(const Core& reference, std::size_t edge, const Core& incident, flo
     Edges f;
     f.startX = reference.x[edge];
     f.startY = reference.y[edge];
-    f.wayX = whole.x();
-    f.wayY = whole.y();
+    f.alongX = whole.x();
+    f.alongY = whole.y();
     f.normalX = reference.normalX[edge];
     f.normalY = reference.normalY[edge];
     f.highX = incident.x[facing];

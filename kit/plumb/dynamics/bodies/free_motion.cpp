@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/bodies/free_motion.h>
 
+#include <cmath>
+
 namespace plumb {
 
 // The same as dragStep of kinematics, but fast for short steps: every damped body needs it in every step, so the series
@@ -52,6 +54,22 @@ void moveFreeBodies(BodyStore& bodies, double dt, StepObserver* observer) {
         storeMotion(bodies, body, motion);
         if (observer != nullptr) observer->noteFieldFlight(flight);
     }
+}
+
+Sweep sweepBetween(const BodyMotion& from, const BodyMotion& to, const BodyRecord& record) {
+    return {from.center, to.center - from.center, from.angle, to.angle - from.angle, record.localCenter};
+}
+
+Sweep wallSweepOf(const BodyStore& bodies, BodyIndex wall, const StepPart& part) {
+    const BodyRecord& record = bodies.record[wall];
+    const BodyMotion& start = bodies.motion[wall];
+    if (!record.awake) return sweepBetween(start, start, record);
+    const FlightLaw law = flightLawOf(bodies, wall);
+    return sweepBetween(moveFreely(start, law, part.from), moveFreely(start, law, part.to), record);
+}
+
+double travelOf(const Vec2& shift, double turn, const BodyRecord& record) {
+    return shift.norm() + std::fabs(turn) * record.turningRadius;
 }
 
 }  // namespace plumb

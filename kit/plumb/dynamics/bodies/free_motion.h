@@ -7,9 +7,11 @@
 // Source: textbook. Exact to rounding for any t.
 // Test: "a thrown ball is where the formula says at every tick"
 #pragma once
+#include <vector>
+
+#include <plumb/collide/sweep.h>
 #include <plumb/dynamics/bodies/body_store.h>
 #include <plumb/dynamics/bodies/step_observer.h>
-#include <vector>
 
 namespace plumb {
 
@@ -44,5 +46,19 @@ inline bool isStay(const TrajectorySegment& segment) {
 
 /// The segments of all bodies; those of each body are in the order of time.
 using Trajectories = std::vector<TrajectorySegment>;
+
+// How has a body moved during a part of this step?
+
+/// A part of the step, counted from its start [s].
+struct StepPart {
+    double from = 0, to = 0;
+};
+
+Sweep sweepBetween(const BodyMotion& from, const BodyMotion& to, const BodyRecord& record);
+/// The sweep of a wall during a part of the step, from its state at the step's start.
+Sweep wallSweepOf(const BodyStore& bodies, BodyIndex wall, const StepPart& part);
+
+/// An upper bound on how far a point of the body's outline has moved [m].
+double travelOf(const Vec2& shift, double turn, const BodyRecord& record);
 
 }  // namespace plumb

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which data of a body does the solver use? Records of four floats, so that one vector operation loads a whole record.
+//
+// A body's velocity has two shadows, because contacts are warm-started: each half sub-step adds to it the impulses that
+// contacts have given so far. What contacts gave in the last half is velocity - before; kickBodies adds it to warm.
+// So whoever changes velocity, and is not a contact, adds the same to before (fields, impacts at walls) or sets before
+// to the new velocity when it is done (joints, with markBodies): else the change is counted as a contact's, and given
+// again in the next half. warm is written by kickBodies, and by joints when they read what contacts gave.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -42,7 +48,7 @@ struct Kick {
 struct SolverBodies {
     SolverVelocity* velocity = nullptr;
     SolverVelocity* warm = nullptr;    ///< velocity change by all warm-start impulses of the body's contacts
-    SolverVelocity* before = nullptr;  ///< the velocity before the contacts were solved
+    SolverVelocity* before = nullptr;  ///< the velocity without what contacts have given since
     SolverDisplacement* displacement = nullptr;
     SolverTurn* turn = nullptr;
     const Kick* kick = nullptr;
@@ -62,5 +68,13 @@ struct alignas(64) BodyPlace {
     float pullX = 0, pullY = 0;  ///< velocity change by its acceleration in half of this step [m/s]
     float unused3 = 0, unused4 = 0;
 };
+
+/// Number of constraints that are stored side by side, so that one vector operation can load a value of several.
+inline constexpr int batchLanes = 16;
+
+/// One value for each lane. A plain array, so that code compiled for wider machines can use it (see
+/// math/detail/wide.h).
+template <class T>
+using Lanes = T[batchLanes];
 
 }  // namespace plumb

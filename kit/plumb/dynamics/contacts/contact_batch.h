@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <plumb/dynamics/bodies/batch_lanes.h>
+#include <plumb/dynamics/bodies/solver_body.h>
 
 namespace plumb {
 

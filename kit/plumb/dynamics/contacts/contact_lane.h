@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How is a contact written into a lane of a batch?
+// How is a contact written into a lane of a batch, and which load does a new one carry? The solver warm-starts with the
+// impulses of the last step; new contacts have none.
 #pragma once
+#include <plumb/dynamics/bodies/body_store.h>
+#include <plumb/dynamics/contacts/contact_batch.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 #include <plumb/space/detail/space.h>
@@ -22,5 +25,12 @@ float nearestOf(const FreshLanes& fresh, std::size_t lane);
 /// of gyration [1/m]; it stays 0 for a body that cannot turn.
 void setSolverMass(ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies, BodyIndex body,
                    float inverseMass, float inverseGyration);
+
+/// For each lane that touches and has no impulse yet, sets the impulses that hold its two bodies against their
+/// accelerations during half a sub-step, as if the two were alone. Without this, the first sweeps of the solver turn a
+/// body that only just begins to tip.
+/// Test: "a block that begins to tip turns as its formula says from the first step on"
+/// lanes: as in SolverSettings.
+void guessImpulses(ContactBatch& batch, const BodyStore& bodies, int lanes);
 
 }  // namespace plumb

@@ -9,7 +9,6 @@
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/contact_rules.h>
 #include <plumb/dynamics/contacts/floors/flush_faces.h>
-#include <plumb/dynamics/contacts/initial_impulses.h>
 #include <plumb/dynamics/contacts/overlaps.h>
 #include <plumb/math/detail/for_lanes.h>
 

@@ -6,7 +6,7 @@
 #include <plumb/dynamics/contacts/bounds.h>
 #include <plumb/dynamics/edit/edits.h>
 #include <plumb/dynamics/edit/joint_edits.h>
-#include <plumb/dynamics/edit/tile_shapes.h>
+#include <plumb/dynamics/edit/shape_pieces.h>
 #include <plumb/dynamics/sensors/sensors.h>
 #include <plumb/math/vec2.h>
 #include <plumb/shapes/chain.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/edit/edits.h>
 
+#include <plumb/dynamics/fields/field_phases.h>
+#include <plumb/dynamics/fields/field_scope.h>
 #include <plumb/dynamics/islands/sleep.h>
 #include <plumb/dynamics/islands/wake.h>
 #include <plumb/dynamics/sensors/sensors.h>
@@ -43,6 +45,19 @@ void addPairs(WorldState& world, std::span<const ShiftedShapes> pairs) {
         for (const ProxyId proxy : {pair.shapes.a, pair.shapes.b}) world.bodies.notePlaced(world.space[proxy].owner);
         addPair(world, pair);
     }
+}
+
+void wakeInfluenced(WorldState& world, const FieldRecord& field) {
+    const FieldStores view{world.fields, world.bodies, world.space};
+    std::vector<BodyIndex> influenced = view.fields.phases->bodiesInfluencedBy(view, field);
+    if (const auto* magnet = std::get_if<Magnet>(&field.def.law))
+        if (isCarried(*magnet, view)) influenced.push_back(magnet->body.index);
+    for (const BodyIndex body : influenced) wakeIsland(world, body);
+}
+
+void wakeInfluencedByMagnetsOn(WorldState& world, BodyIndex body) {
+    for (const FieldRecord& field : world.fields.records)
+        if (field.alive && isCarriedBy(field.def.law, body)) wakeInfluenced(world, field);
 }
 
 }  // namespace plumb

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Of which pieces does a shape consist in the space? Of one, or of several for a chain or a tile map.
+// Of which pieces does a shape consist in the space? Of one, or of several for a chain or a tile map; a tile map
+// changes some of them while bodies lie on it.
 #pragma once
 #include <span>
 #include <vector>
@@ -32,5 +33,14 @@ void outlinePiece(WorldState& world, ProxyId proxy, const Vec2& localCenter);
 std::uint32_t wallsOf(const WorldState& world, std::span<const ProxyId> proxies, BodyIndex body);
 /// The number of pieces that are segments of chains or of outlines.
 std::uint32_t chainPiecesOf(const WorldState& world, std::span<const ProxyId> proxies);
+
+/// Adds a shape whose def.shape is a tile map. Its first piece touches nothing, so that even an empty map has a piece.
+void addTiles(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number);
+/// Changes a tile of a shape that is a tile map. Replaces only the pieces that the tile was or is a part of, or that
+/// end at it; bodies that touched these pieces wake.
+void editTile(WorldState& world, BodyIndex body, std::uint32_t number, Cell cell, const Tile& tile);
+/// The definition of one piece: that of the whole shape, with the piece's own shape and the properties of its tiles'
+/// kind.
+ShapeDef pieceOf(const ShapeDef& whole, const Proxy& piece);
 
 }  // namespace plumb

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/fields/field_phases.h>
 
-#include <plumb/dynamics/fields/field_energy.h>
+#include <plumb/dynamics/fields/field_effects.h>
 #include <plumb/dynamics/fields/field_scope.h>
 
 namespace plumb {

@@ -2,8 +2,7 @@
 #include <plumb/dynamics/fields/field_solving.h>
 
 #include <plumb/dynamics/bodies/free_motion.h>
-#include <plumb/dynamics/fields/field_force.h>
-#include <plumb/dynamics/fields/field_kick.h>
+#include <plumb/dynamics/fields/field_effects.h>
 #include <plumb/dynamics/fields/field_scope.h>
 
 namespace plumb {

@@ -91,7 +91,7 @@ public:
           share_(1 / (1 + law.inertia)),
           view_(viewOf(chain, from.edge)) {
         place_.first = place_.last = from.edge;
-        place_.way = 0;
+        place_.distance = 0;
         noteCurve();
     }
 
@@ -134,7 +134,7 @@ private:
         place_.direction = along;
         if (time >= left_) {
             const double at = std::clamp(s + (v + 0.5 * a * left_) * left_, view_.low, view_.high);
-            place_.way += at - s;
+            place_.distance += at - s;
             place_.position = start + along * at;
             place_.speed = v + a * left_;
             left_ = 0;
@@ -143,7 +143,7 @@ private:
         left_ -= time;
         const bool forwards = up <= down;
         const double end = forwards ? view_.high : view_.low;
-        place_.way += end - s;
+        place_.distance += end - s;
         place_.position = start + along * end;
         place_.speed = (forwards ? 1 : -1) * std::sqrt(std::max(0.0, v * v + 2 * a * (end - s)));
         return passVertex(forwards);
@@ -180,13 +180,13 @@ private:
         const Vec2 from = chain_.side * perp(place_.direction);
         const double angle = arcTangent(cross(from, view_.normal), from.dot(view_.normal));
         const Vec2 end = corner + view_.normal * chain_.offset;
-        const double v = std::abs(place_.speed), way = std::abs(angle) * chain_.offset;
+        const double v = std::abs(place_.speed), arc = std::abs(angle) * chain_.offset;
         const double squared = v * v + 2 * share_ * law_.acceleration.dot(end - place_.position);
         if (!stays() || squared <= slowest * slowest) return false;
-        const double after = std::sqrt(squared), time = 2 * way / (v + after);
+        const double after = std::sqrt(squared), time = 2 * arc / (v + after);
         if (time > left_) return stopOnArc(corner, angle, v + (after - v) / time * 0.5 * left_);
         left_ -= time;
-        place_.way += forwards ? way : -way;
+        place_.distance += forwards ? arc : -arc;
         place_.position = end;
         place_.direction = view_.edge.along;
         place_.speed = forwards ? after : -after;
@@ -198,7 +198,7 @@ private:
     bool stopOnArc(const Vec2& corner, double angle, double meanSpeed) {
         const double turned = std::copysign(std::min(meanSpeed * left_ / chain_.offset, std::abs(angle)), angle);
         const Rot turn = Rot::fromAngle(turned);
-        place_.way += std::copysign(std::abs(turned) * chain_.offset, place_.speed);
+        place_.distance += std::copysign(std::abs(turned) * chain_.offset, place_.speed);
         const Vec2 before = place_.position;
         place_.direction = turn * place_.direction;
         place_.position = corner + chain_.side * perp(place_.direction) * chain_.offset;
@@ -224,9 +224,9 @@ private:
 
 ChainEdge chainEdge(const ChainSide& chain, std::size_t edge) {
     const Segment& segment = segmentOf(chain, edge);
-    const Vec2 way = segment.end - segment.start;
-    const double length = way.norm();
-    return {chain.pose * segment.start, chain.pose * segment.end, chain.pose.rotation * Vec2(way / length), length};
+    const Vec2 along = segment.end - segment.start;
+    const double length = along.norm();
+    return {chain.pose * segment.start, chain.pose * segment.end, chain.pose.rotation * Vec2(along / length), length};
 }
 
 std::optional<ChainPlace> slideAlong(const ChainSide& chain, const ChainPlace& from, const ChainLaw& law, double time) {

@@ -4,7 +4,7 @@
 // The disc's centre moves on the chain's offset path: along each segment at a fixed distance, and around the vertices.
 // On a segment, the acceleration along it is constant:
 //   v'^2 = v^2 + 2 a s,  t = 2 s / (v + v')
-//   v speed [m/s], a acceleration along the segment [m/s^2], s way [m], t time [s]
+//   v speed [m/s], a acceleration along the segment [m/s^2], s arc length [m], t time [s]
 // At a vertex that turns towards the disc (concave), the impact takes the speed along the next segment's normal:
 //   v' = v cos(turn)
 // Around a vertex that turns away (convex), the centre moves on an arc without loss, by the same formulas with the
@@ -41,7 +41,7 @@ struct ChainPlace {
     Vec2 position{0, 0};    ///< [m]
     Vec2 direction{1, 0};   ///< of the path, unit; along the chain, even if the disc moves backwards [-]
     double speed = 0;       ///< along the direction [m/s]
-    double way = 0;         ///< since the start, backwards negative [m]
+    double distance = 0;    ///< since the start, backwards negative [m]
     bool onCurve = false;   ///< a segment on the way has a vertex that turns
     std::size_t first = 0;  ///< lowest edge on the way
     std::size_t last = 0;   ///< highest edge on the way

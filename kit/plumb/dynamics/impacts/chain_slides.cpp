@@ -40,8 +40,8 @@ struct SlidingDisc {
 };
 
 Vec2 nearestOn(const Vec2& start, const Vec2& end, const Vec2& point) {
-    const Vec2 way = end - start;
-    return start + std::clamp((point - start).dot(way) / way.squaredNorm(), 0.0, 1.0) * way;
+    const Vec2 along = end - start;
+    return start + std::clamp((point - start).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
 }
 
 /// Does the way from a to b cross that from c to d?
@@ -86,7 +86,7 @@ public:
         motion.velocity = end->direction * end->speed;
         if (law_.inertia == 0) return motion;
         motion.angularVelocity = -chain_.side * end->speed / disc_.radius;
-        motion.angle = from.angle - chain_.side * end->way / disc_.radius;
+        motion.angle = from.angle - chain_.side * end->distance / disc_.radius;
         motion.rotation = Rot::fromAngle(motion.angle);
         return motion;
     }

@@ -16,12 +16,12 @@ class FlyingAlone : public PushedBody {
 public:
     FlyingAlone(const BodyRecord& record, const BodyMotion& motion) : record_(record), motion_(motion) {}
     BodyMotion motion() const override { return motion_; }
-    Vec3 answerTo(const Vec3& impulse) override {
+    Vec3 responseTo(const Vec3& impulse) override {
         return {impulse[0] * record_.inverseMass, impulse[1] * record_.inverseMass,
                 impulse[2] * record_.inverseInertia};
     }
     void push(const Vec3& impulse) override {
-        const Vec3 change = answerTo(impulse);
+        const Vec3 change = responseTo(impulse);
         motion_.velocity += Vec2(change[0], change[1]);
         motion_.angularVelocity += change[2];
     }
@@ -64,10 +64,10 @@ public:
 private:
     bool meets(const TrajectorySegment& segment, WallHit& hit) const {
         const BodyRecord& record = stores_.bodies.record[segment.body];
-        const Sweep way = sweepBetween(segment.from, segment.to, record);
+        const Sweep sweep = sweepBetween(segment.from, segment.to, record);
         const double far = farShare * record.inradius;
-        WallSearch search(view_, segment.body, way, {segment.start, segment.end}, far);
-        if (travelOf(way.shift, way.turn, record) > far) search.searchStatic();
+        WallSearch search(view_, segment.body, sweep, {segment.start, segment.end}, far);
+        if (travelOf(sweep.shift, sweep.turn, record) > far) search.searchStatic();
         search.searchKinematic();
         if (search.first()) hit = *search.first();
         return search.first().has_value();

@@ -28,27 +28,27 @@ bool isMetFirst(const std::pair<ProxyId, Vec2>& a, const std::pair<ProxyId, Vec2
 void Reach::extend(const FlyingBody& body, std::vector<ContactIndex>& added) {
     const Space& space = stores_.space;
     for (const ProxyId proxy : stores_.bodies.links[body.body].proxies) {
-        const Aabb way = wayOf(body, proxy);
-        if (contains(space.box(proxy), way)) continue;
+        const Aabb swept = sweptBoxOf(body, proxy);
+        if (contains(space.box(proxy), swept)) continue;
         // What goes around a world that wraps meets others only at the places where steps begin, see predictedShift.
-        if (stores_.bodies.wrap.isExceededBy(way.upper - way.lower)) continue;
+        if (stores_.bodies.wrap.isExceededBy(swept.upper - swept.lower)) continue;
         std::vector<std::pair<ProxyId, Vec2>> found;
-        space.query(way, [&](ProxyId other, const Vec2& shift) { found.emplace_back(other, shift); });
-        for (const Stray& stray : strays_) {
-            const Vec2 shift = stores_.bodies.wrap.shiftNear(stray.box.lower, way.lower);
-            if (overlap(way, {stray.box.lower + shift, stray.box.upper + shift}))
-                found.emplace_back(stray.proxy, shift);
+        space.query(swept, [&](ProxyId other, const Vec2& shift) { found.emplace_back(other, shift); });
+        for (const Leaving& shape : leaving_) {
+            const Vec2 shift = stores_.bodies.wrap.shiftNear(shape.box.lower, swept.lower);
+            if (overlap(swept, {shape.box.lower + shift, shape.box.upper + shift}))
+                found.emplace_back(shape.proxy, shift);
         }
         if (found.size() > mostShapes) continue;
         std::sort(found.begin(), found.end(), isMetFirst);  // the space's order depends on what is far away, too
         for (const auto& [other, shift] : found) meet(proxy, other, shift, added);
-        strays_.push_back({proxy, way});
+        leaving_.push_back({proxy, swept});
     }
 }
 
 /// The bounds of a shape from its body's last impact to the end of the step. A point's path differs from the straight
 /// line between its ends by at most a t^2 / 8, and by r turn^2 / 8 because of rotation.
-Aabb Reach::wayOf(const FlyingBody& body, ProxyId proxy) const {
+Aabb Reach::sweptBoxOf(const FlyingBody& body, ProxyId proxy) const {
     const Shape& shape = stores_.space[proxy].def.shape;
     const MovingShape& flight = body.flight;
     const double left = dt_ - flight.time;

@@ -19,17 +19,17 @@ public:
 
 private:
     /// A shape that will leave its bounds, and the box of the rest of its way.
-    struct Stray {
+    struct Leaving {
         ProxyId proxy = 0;
         Aabb box;
     };
 
-    Aabb wayOf(const FlyingBody& body, ProxyId proxy) const;
+    Aabb sweptBoxOf(const FlyingBody& body, ProxyId proxy) const;
     void meet(ProxyId own, ProxyId other, const Vec2& shift, std::vector<ContactIndex>& added);
 
     const ImpactStores& stores_;
     double dt_;
-    std::vector<Stray> strays_;
+    std::vector<Leaving> leaving_;
 };
 
 }  // namespace plumb

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <plumb/dynamics/contacts/bounds.h>
-#include <plumb/dynamics/islands/driven.h>
 #include <plumb/dynamics/islands/neighbours.h>
 #include <plumb/dynamics/islands/still_islands.h>
 #include <plumb/dynamics/islands/stillness.h>

@@ -5,8 +5,8 @@
 
 #include <plumb/dynamics/contacts/narrow_phase.h>
 #include <plumb/dynamics/contacts/predicted_manifold.h>
-#include <plumb/dynamics/islands/driven.h>
 #include <plumb/dynamics/islands/neighbours.h>
+#include <plumb/dynamics/islands/stillness.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long has each body been still?
+// How long has each body been still, and what drives it, so that it may not sleep although it is slow?
 //
 // A body is slow if it, and the shift by the solver, is slower than SolverSettings.sleepSpeed. While it is slow it is
 // watched. If nothing but fixed bodies touches or holds it, it must not gain speed: gravity drives it down a slope, or
@@ -20,5 +20,12 @@ namespace plumb {
 /// SolverSettings.sleepTime.
 bool countStillness(BodyStore& bodies, const ContactStore& contacts, const JointStore& joints,
                     const SolverSettings& settings, double dt);
+
+/// Does an awake kinematic body touch this body, or is it joined to it?
+bool isCarried(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body);
+/// Does a belt move the body (see Material.surfaceSpeed), or a motor that runs? A body that such a drive cannot move,
+/// as something is in its way, is not driven.
+bool isDriven(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints,
+              const SolverSettings& settings, BodyIndex body);
 
 }  // namespace plumb

@@ -94,7 +94,7 @@ void startContacts(const JointStores& stores, const JointHalf& half, JointedCont
     setMasses(stores.bodies, jointed, seen);
     for (JointedContact& one : jointed.some) {
         const ContactSlot slot(jointed.graph, jointed.contacts[one.contact]);
-        one.start = givenBy(slot.batch, slot.lane);
+        one.start = impulsesOf(slot.batch, slot.lane);
     }
 }
 

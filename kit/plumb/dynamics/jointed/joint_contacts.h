@@ -26,7 +26,7 @@ struct JointedContact {
     JointBatch* batch = nullptr;
     std::size_t lane = 0;  ///< in that batch
     ContactIndex contact = none;
-    ContactGiven start{};
+    ContactImpulses start{};
 };
 
 struct JointedContacts {

@@ -9,7 +9,6 @@
 #pragma once
 #include <cstddef>
 
-#include <plumb/dynamics/bodies/batch_lanes.h>
 #include <plumb/dynamics/bodies/softness.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 

@@ -28,10 +28,10 @@ constexpr float nearBy = 1e-3f;
 constexpr float mostAside = 0.3f;
 /// If a light body keeps more than this share of a load, it is a lever, and what presses on it elsewhere helps [-].
 constexpr float mostLeft = 0.05f;
-/// A path is of no use if its bodies answer to the load with more than this share of the two bodies' own answer [-].
-constexpr float mostAnswer = 0.5f;
+/// A path is of no use if its bodies respond to the load with more than this share of the two bodies' own response [-].
+constexpr float mostResponse = 0.5f;
 /// A load that moves the heavy body by less than this share of what it would do there alone is none [-].
-constexpr float leastAnswer = 0.1f;
+constexpr float leastResponse = 0.1f;
 constexpr float leastShare = 1e-4f;                   ///< smaller shares are left out, and not made exact [-]
 constexpr int mostSweeps = 60;                        ///< at most, to find the shares
 constexpr std::size_t mostBodies = 8, mostRows = 64;  ///< of a path
@@ -177,12 +177,12 @@ bool LoadPathFinder::follow(LoadPath& path, const LoadRow& load) {
     for (std::size_t i = 0; i < loaded_.size() && loaded_.size() < mostBodies && path.rows.size() < mostRows; ++i)
         passOn(path, loaded_[i]);
     const float inverseMass = path.inverseMass(bodies_);
-    if (inverseMass * contact.batch->points[load.point].normalMass[contact.lane] > mostAnswer ||
-        inverseMass < leastAnswer * bodies_.velocity[path.heavy].inverseMass)
+    if (inverseMass * contact.batch->points[load.point].normalMass[contact.lane] > mostResponse ||
+        inverseMass < leastResponse * bodies_.velocity[path.heavy].inverseMass)
         return false;
     for (const LoadRow& row : path.rows) {
         LoadedContact& c = list_.contacts[row.contact];
-        c.give = std::min(c.give, inverseMass * c.batch->points[row.point].normalMass[c.lane]);
+        c.compliance = std::min(c.compliance, inverseMass * c.batch->points[row.point].normalMass[c.lane]);
     }
     return true;
 }
@@ -245,7 +245,7 @@ void LoadPathFinder::findSupports(const LoadPath& path, BodyIndex body, const Lo
         const bool hasPassed = has(passed_, other), balances = isLever && !passesOn(path, other);
         seen_.push_back(contact.contact);
         for (LoadRow row = contact; row.point < 2; ++row.point) {
-            if (!bears(list_.contacts[row.contact], row.point, hasPassed ? gap + nearBy : nearBy)) continue;
+            if (!carriesLoad(list_.contacts[row.contact], row.point, hasPassed ? gap + nearBy : nearBy)) continue;
             const LoadEffect effect = effectOn(body, row);
             const float along = effect.x * load.x + effect.y * load.y;
             const bool isOpposed = hasPassed && along < 0;  // what loads the body from both sides holds nothing
@@ -256,7 +256,7 @@ void LoadPathFinder::findSupports(const LoadPath& path, BodyIndex body, const Lo
 }
 
 /// Does a point bear load, or will it as soon as its surfaces are nearer by this gap [m]?
-bool LoadPathFinder::bears(const LoadedContact& contact, std::uint32_t point, float gap) const {
+bool LoadPathFinder::carriesLoad(const LoadedContact& contact, std::uint32_t point, float gap) const {
     const PointLanes& p = contact.batch->points[point];
     if (!(p.normalMass[contact.lane] > 0)) return false;
     if (!onlyLoaded_ && p.separation[contact.lane] < gap) return true;

@@ -17,12 +17,12 @@ namespace plumb {
 struct LoadedContact {
     ContactBatch* batch = nullptr;
     std::size_t lane = 0;
-    bool isGround = false;  ///< one of its bodies is static or kinematic
-    float give = 1;         ///< of its spring, as a share of that of a contact of its own effective mass [-]
-    ContactGiven start{};   ///< before this half
+    bool isGround = false;    ///< one of its bodies is static or kinematic
+    float compliance = 1;     ///< of its spring, as a share of that of a contact of its own effective mass [-]
+    ContactImpulses start{};  ///< before this half
 };
 
-/// A point of a contact, which bears a share of a load.
+/// A point of a contact, which carriesLoad a share of a load.
 struct LoadRow {
     std::uint32_t contact = 0;  ///< its place in LoadPathList.contacts
     std::uint32_t point = 0;    ///< of the contact: 0 or 1
@@ -100,7 +100,7 @@ private:
     LoadEffect effectOn(BodyIndex body, const LoadRow& row) const;
     bool passesOn(const LoadPath& path, BodyIndex body) const;
     void findSupports(const LoadPath& path, BodyIndex body, const LoadEffect& load, bool isLever);
-    bool bears(const LoadedContact& contact, std::uint32_t point, float gap) const;
+    bool carriesLoad(const LoadedContact& contact, std::uint32_t point, float gap) const;
     float shareOut(LoadEffect kept);
 
     LoadPathList& list_;

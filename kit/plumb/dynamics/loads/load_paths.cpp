@@ -34,7 +34,7 @@ LoadPaths::LoadPaths(ContactGraph& graph, const ContactStore& contacts, BodyStor
 }
 
 void LoadPaths::begin() {
-    for (LoadedContact& c : list_.contacts) c.start = givenBy(*c.batch, c.lane);
+    for (LoadedContact& c : list_.contacts) c.start = impulsesOf(*c.batch, c.lane);
     for (const LoadGroup& group : list_.groups)
         for (const std::uint32_t contact : group.contacts) hide(contact);
 }
@@ -92,7 +92,7 @@ bool LoadPaths::pass(const LoadGroup& group, bool isRelax, SolveContact&& solveC
     for (const std::uint32_t path : group.paths) isStill = correct(list_.paths[path], isRelax) && isStill;
     for (const std::uint32_t contact : group.contacts) {
         const LoadedContact& c = list_.contacts[contact];
-        const ContactGiven before = givenBy(*c.batch, c.lane);
+        const ContactImpulses before = impulsesOf(*c.batch, c.lane);
         solveContact(c);
         for (int i = 0; i < 2; ++i) {
             const PointLanes& p = c.batch->points[i];
@@ -107,18 +107,18 @@ const ContactPass& LoadPaths::passOf(const LoadedContact& contact) const {
     return contact.isGround ? groundPass_ : pass_;
 }
 
-/// How far a contact's spring gives way to an impulse, times the contact's effective mass [-].
-float LoadPaths::giveOf(const LoadedContact& contact) const {
+/// The compliance of a contact's spring, times the contact's effective mass [-].
+float LoadPaths::complianceOf(const LoadedContact& contact) const {
     const Softness& soft = passOf(contact).soft;
-    return contact.give * soft.impulseScale / std::max(soft.massScale, 1e-6f);
+    return contact.compliance * soft.impulseScale / std::max(soft.massScale, 1e-6f);
 }
 
 /// With a spring as firm as the load on it needs.
 ContactPass LoadPaths::firmPassOf(const LoadedContact& contact) const {
     ContactPass pass = passOf(contact);
-    const float give = giveOf(contact);
-    pass.soft.massScale = 1 / (1 + give);
-    pass.soft.impulseScale = give / (1 + give);
+    const float compliance = complianceOf(contact);
+    pass.soft.massScale = 1 / (1 + compliance);
+    pass.soft.impulseScale = compliance / (1 + compliance);
     return pass;
 }
 
@@ -132,29 +132,30 @@ bool LoadPaths::correct(LoadPath& path, bool isRelax) {
         const float load = std::max(change.wanted, change.least);
         push(path, load, isRelax);
         isStill = isStill && std::fabs(load) * inverseMass <= stillPath;
-        if (load == change.wanted || !(bornBy(path.rows.front(), isRelax) > 0)) break;
+        if (load == change.wanted || !(impulseAt(path.rows.front(), isRelax) > 0)) break;
         finder_.findAgain(path, isRelax);
     }
     return isStill;
 }
 
 LoadPaths::Change LoadPaths::changeToSolve(const LoadPath& path, float inverseMass) const {
-    float error = speedAlong(path), give = 0, least = -std::numeric_limits<float>::infinity();
+    float error = speedAlong(path), compliance = 0, least = -std::numeric_limits<float>::infinity();
     for (const LoadRow& row : path.rows) {
         const LoadedContact& c = list_.contacts[row.contact];
         const PointLanes& p = c.batch->points[row.point];
         const float s = p.separation[c.lane];
-        least = std::max(least, -bornBy(row, false) / row.share);
+        least = std::max(least, -impulseAt(row, false) / row.share);
         if (s > 0) {
             error += row.share * s * pass_.inverseStep;
             continue;
         }
         const ContactPass& pass = passOf(c);
-        const float bias = std::max(pass.soft.biasRate * s, -pass.pushSpeed), gives = giveOf(c) / p.normalMass[c.lane];
-        error += row.share * (bias + gives * p.normalImpulse[c.lane]);
-        give += row.share * row.share * gives;
+        const float bias = std::max(pass.soft.biasRate * s, -pass.pushSpeed),
+                    rowCompliance = complianceOf(c) / p.normalMass[c.lane];
+        error += row.share * (bias + rowCompliance * p.normalImpulse[c.lane]);
+        compliance += row.share * row.share * rowCompliance;
     }
-    return {-error / (inverseMass + give), least};
+    return {-error / (inverseMass + compliance), least};
 }
 
 LoadPaths::Change LoadPaths::changeToRelax(const LoadPath& path, float inverseMass) const {
@@ -162,7 +163,7 @@ LoadPaths::Change LoadPaths::changeToRelax(const LoadPath& path, float inverseMa
     for (const LoadRow& row : path.rows) {
         const LoadedContact& c = list_.contacts[row.contact];
         error += row.share * std::max(c.batch->points[row.point].separation[c.lane], 0.0f) * pass_.inverseStep;
-        least = std::max(least, -bornBy(row, true) / row.share);
+        least = std::max(least, -impulseAt(row, true) / row.share);
     }
     return {-error / inverseMass, least};
 }
@@ -177,8 +178,8 @@ float LoadPaths::speedAlong(const LoadPath& path) const {
     return sum;
 }
 
-/// The impulse that a point may give up [N s].
-float LoadPaths::bornBy(const LoadRow& row, bool isRelax) const {
+/// The impulse of a point, which it can lose at the most [N s].
+float LoadPaths::impulseAt(const LoadRow& row, bool isRelax) const {
     const LoadedContact& c = list_.contacts[row.contact];
     return (isRelax ? c.start.normal[row.point] : 0.0f) + c.batch->points[row.point].normalImpulse[c.lane];
 }

@@ -6,11 +6,11 @@
 // So for each point where a heavy body hits a lighter one, or rests on a much lighter one, the solver knows the path
 // of the load: an impulse there, and those with which the contacts behind the light body keep it at rest. All impulses
 // of a path change together, until the sum of their errors, by their shares, is zero:
-//   dP = -sum d_i (v_i + bias_i + give_i P_i) / (sum m |e|^2 + sum give_i d_i^2), as far as each P_i stays >= 0
-// d share of a point, v speed at which it opens [m/s], P its impulse [N s], e effect on a body of inverse mass m
-// This is one more direction in which to look for the lowest point of the same function that the passes over single
-// contacts make smaller. So a path need not be exact. But it must move the heavy body: shares that press it from both
-// sides cancel, and would be divided by almost nothing.
+//   dP = -sum d_i (v_i + bias_i + c_i P_i) / (sum m |e|^2 + sum c_i d_i^2), as far as each P_i stays >= 0
+// d share of a point, v speed at which it opens [m/s], P its impulse [N s], c compliance of its spring [1/kg], e effect
+// on a body of inverse mass m [1/kg] This is one more direction in which to look for the lowest point of the same
+// function that the passes over single contacts make smaller. So a path need not be exact. But it must move the heavy
+// body: shares that press it from both sides cancel, and would be divided by almost nothing.
 //
 // The contacts of the light bodies are solved here, and hidden from the lanes: their springs are as firm as the load
 // needs; those in the lanes are as firm as the light body needs. Their passes repeat until they change little.
@@ -56,13 +56,13 @@ private:
     template <class SolveContact>
     bool pass(const LoadGroup& group, bool isRelax, SolveContact&& solveContact);
     const ContactPass& passOf(const LoadedContact& contact) const;
-    float giveOf(const LoadedContact& contact) const;
+    float complianceOf(const LoadedContact& contact) const;
     ContactPass firmPassOf(const LoadedContact& contact) const;
     bool correct(LoadPath& path, bool isRelax);
     Change changeToSolve(const LoadPath& path, float inverseMass) const;
     Change changeToRelax(const LoadPath& path, float inverseMass) const;
     float speedAlong(const LoadPath& path) const;
-    float bornBy(const LoadRow& row, bool isRelax) const;
+    float impulseAt(const LoadRow& row, bool isRelax) const;
     void push(const LoadPath& path, float load, bool isRelax);
 
     BodyStore& bodies_;

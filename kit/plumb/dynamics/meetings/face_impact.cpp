@@ -12,7 +12,7 @@ namespace plumb {
 namespace {
 
 /// The most sweeps over both points: enough for the impulses to converge.
-constexpr int mostFaceSweeps = 200;
+constexpr int mostSweeps = 200;
 
 ImpactSide sideOf(const ImpactBody& body, const Vec2& point) {
     return {body.motion.velocity, body.motion.angularVelocity, body.inverseMass, body.inverseInertia,
@@ -29,7 +29,7 @@ public:
         std::array<Impulse, 2> impulses;
         for (std::size_t i = 0; i < 2; ++i)
             impulses[i].wanted = -law_.restitution * std::min(speedAt(points[i]).dot(normal_), 0.0);
-        for (int sweep = 0; sweep < mostFaceSweeps; ++sweep) {
+        for (int sweep = 0; sweep < mostSweeps; ++sweep) {
             const std::array<Impulse, 2> before = impulses;
             for (std::size_t i = 0; i < 2; ++i) solvePoint(points[i], impulses[i]);
             if (impulses == before) break;

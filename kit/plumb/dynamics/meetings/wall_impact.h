@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Which impulses act where a body meets a wall?
+// Which impulses act where a body meets a wall, and which contact and which events do they leave?
 //
 // The law is that of kit/plumb/impact, for whatever the impulses push: a body alone, or a body of a mechanism, whose
 // response at the point includes that of its joints. Points that approach the wall are solved one after the other.
 #pragma once
+#include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/dynamics/meetings/wall_search.h>
 #include <plumb/math/detail/vec3.h>
@@ -19,7 +20,7 @@ public:
     /// Its state where it meets the wall, with all impulses so far.
     virtual BodyMotion motion() const = 0;
     /// By how much an impulse would change its velocity.
-    virtual Vec3 answerTo(const Vec3& impulse) = 0;
+    virtual Vec3 responseTo(const Vec3& impulse) = 0;
     virtual void push(const Vec3& impulse) = 0;
 };
 
@@ -36,5 +37,19 @@ struct WallImpact {
 /// Pushes the body at the place of a hit, until nothing there approaches the wall; duration: of the sweep in which the
 /// hit was found [s]. The impulses are 0 if nothing approached.
 WallImpact solveWallImpact(const WallView& view, const WallHit& hit, double duration, PushedBody& body);
+
+/// The stores that reporting reads and writes.
+struct WallTouchStores {
+    ContactGraph& graph;
+    ContactStore& contacts;
+    BodyStore& bodies;
+    const Space& space;
+    StepObserver* observer = nullptr;  ///< may be null
+};
+
+/// Adds the impulses of an impact, in a step of dt [s], to the contact of its two shapes, which is made if there is
+/// none, and adds its events. Impacts faster than hitSpeed [m/s] are hits.
+void reportWallImpact(const WallTouchStores& stores, const WallImpact& impact, double dt, double hitSpeed,
+                      TouchEvents& touches);
 
 }  // namespace plumb

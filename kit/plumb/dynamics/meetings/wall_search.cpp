@@ -92,13 +92,13 @@ struct Passage {
     }
 };
 
-Passage passageOf(const WallSweep& wall, const Sweep& way) {
-    const Vec2 before = way.start - wall.sweep.start;
-    const Vec2 after = before + (way.shift - wall.sweep.shift);
+Passage passageOf(const WallSweep& wall, const Sweep& sweep) {
+    const Vec2 before = sweep.start - wall.sweep.start;
+    const Vec2 after = before + (sweep.shift - wall.sweep.shift);
     const double spin = std::fabs(wall.sweep.turn);
     const double bend = spin * (2 * (after - before).norm() + spin * std::max(before.norm(), after.norm())) / 8;
     const Vec2& center = wall.sweep.localCenter;
-    return {wall.toWallBefore * before + center, wall.toWallAfter * after + center, bend, way.turn - wall.sweep.turn};
+    return {wall.toWallBefore * before + center, wall.toWallAfter * after + center, bend, sweep.turn - wall.sweep.turn};
 }
 
 }  // namespace
@@ -113,8 +113,8 @@ BodyMotion motionAt(const Sweep& sweep, double time, double duration) {
     return motion;
 }
 
-double travelTowards(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body) {
-    const Passage passage = passageOf(wall, way);
+double travelTowards(const WallSweep& wall, const Sweep& sweep, const Shape& face, const BodyRecord& body) {
+    const Passage passage = passageOf(wall, sweep);
     const Aabb line{passage.from.cwiseMin(passage.to), passage.from.cwiseMax(passage.to)};
     const bool near = overlap(inflate(line, body.boundingRadius + passage.bend), aabbOf(face, {}));
     return near ? passage.travel(body) : 0;
@@ -209,8 +209,8 @@ bool WallSearch::isSolidAt(double time, const SweptShape& wall, const SweptShape
                            ProxyId other) const {
     const Distance met = distance(*wall.shape, poseAt(wall.sweep, time), *swept.shape, poseAt(swept.sweep, time));
     const double duration = std::max(part_.to - part_.from, 1e-9);
-    const auto velocityOf = [&](const Sweep& way, const Vec2& point) {
-        return Vec2((way.shift + perp(Vec2(point - way.start - way.shift * time)) * way.turn) / duration);
+    const auto velocityOf = [&](const Sweep& sweep, const Vec2& point) {
+        return Vec2((sweep.shift + perp(Vec2(point - sweep.start - sweep.shift * time)) * sweep.turn) / duration);
     };
     const Face face{met.normal, velocityOf(swept.sweep, met.pointB) - velocityOf(wall.sweep, met.pointA),
                     met.separation};

@@ -6,8 +6,8 @@
 #pragma once
 #include <optional>
 
+#include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/contacts/contact_store.h>
-#include <plumb/dynamics/meetings/body_motion.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {
@@ -31,10 +31,10 @@ struct WallHit {
 
 class WallSearch {
 public:
-    /// way: its sweep in this part of the step; must outlive the search. far: what moves by less than this relative to
+    /// sweep: its own in this part of the step; must outlive the search. far: what moves by less than this relative to
     /// a wall is taken not to pass it [m].
-    WallSearch(const WallView& view, BodyIndex body, const Sweep& way, const StepPart& part, double far)
-        : view_(view), body_(body), sweep_(way), part_(part), far_(far) {}
+    WallSearch(const WallView& view, BodyIndex body, const Sweep& sweep, const StepPart& part, double far)
+        : view_(view), body_(body), sweep_(sweep), part_(part), far_(far) {}
 
     const std::optional<WallHit>& first() const { return first_; }
 
@@ -81,6 +81,6 @@ struct WallSweep {
 
 /// An upper bound on how far a body moves relative to a wall, if it may touch a shape of it on its way; else 0. A fast
 /// test with bounds only [m].
-double travelTowards(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body);
+double travelTowards(const WallSweep& wall, const Sweep& sweep, const Shape& face, const BodyRecord& body);
 
 }  // namespace plumb

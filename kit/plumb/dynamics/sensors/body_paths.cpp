@@ -15,9 +15,9 @@ namespace {
 
 /// The bounds of a shape along a straight piece. A point's path differs from the straight line between its ends by at
 /// most r turn^2 / 8, and by no more than two radii.
-Aabb boxAlong(const Shape& shape, const Sweep& way) {
-    const double swing = turningRadiusOf(shape, way.localCenter) * std::min(0.125 * way.turn * way.turn, 2.0);
-    return inflate(merge(aabbOf(shape, poseAt(way, 0)), aabbOf(shape, poseAt(way, 1))), swing);
+Aabb boxAlong(const Shape& shape, const Sweep& sweep) {
+    const double swing = turningRadiusOf(shape, sweep.localCenter) * std::min(0.125 * sweep.turn * sweep.turn, 2.0);
+    return inflate(merge(aabbOf(shape, poseAt(sweep, 0)), aabbOf(shape, poseAt(sweep, 1))), swing);
 }
 
 }  // namespace
@@ -30,31 +30,31 @@ std::vector<PathPiece> BodyPaths::of(BodyIndex body) {
         auto at = std::lower_bound(sorted_.begin(), sorted_.end(), body, isBefore);
         for (; at != sorted_.end() && trajectories_[*at].body == body; ++at) {
             const TrajectorySegment& s = trajectories_[*at];
-            const Sweep way{s.from.center, s.to.center - s.from.center, s.from.angle, s.to.angle - s.from.angle,
-                            bodies_.record[body].localCenter};
-            path.push_back({way, s.start / dt_, s.end / dt_});
+            const Sweep sweep{s.from.center, s.to.center - s.from.center, s.from.angle, s.to.angle - s.from.angle,
+                              bodies_.record[body].localCenter};
+            path.push_back({sweep, s.start / dt_, s.end / dt_});
         }
     }
     if (path.empty()) return {{chordOf(body), 0, 1}};
-    if (path.back().end < 1) path.push_back({partOf(path.back().way, 1, 1), path.back().end, 1});  // it was stopped
+    if (path.back().end < 1) path.push_back({partOf(path.back().sweep, 1, 1), path.back().end, 1});  // it was stopped
     return path;
 }
 
 Sweep BodyPaths::chordOf(BodyIndex body) const {
     const BodyPlace& place = bodies_.place[body];
     const BodyMotion& now = bodies_.motion[body];
-    Sweep way;
-    way.localCenter = bodies_.record[body].localCenter;
-    way.start = {static_cast<double>(place.highX) + static_cast<double>(place.lowX),
-                 static_cast<double>(place.highY) + static_cast<double>(place.lowY)};
-    way.shift = now.center - way.start;
+    Sweep sweep;
+    sweep.localCenter = bodies_.record[body].localCenter;
+    sweep.start = {static_cast<double>(place.highX) + static_cast<double>(place.lowX),
+                   static_cast<double>(place.highY) + static_cast<double>(place.lowY)};
+    sweep.shift = now.center - sweep.start;
     const Vec2 before(static_cast<double>(place.cos), static_cast<double>(place.sin));
     const Vec2 after(now.rotation.cos, now.rotation.sin);
-    way.turn = arcTangent(cross(before, after), before.dot(after));
+    sweep.turn = arcTangent(cross(before, after), before.dot(after));
     constexpr double revolution = 2 * std::numbers::pi;
-    way.turn += revolution * std::round((aboutTurnOf(body) - way.turn) / revolution);
-    way.angle = now.angle - way.turn;
-    return way;
+    sweep.turn += revolution * std::round((aboutTurnOf(body) - sweep.turn) / revolution);
+    sweep.angle = now.angle - sweep.turn;
+    return sweep;
 }
 
 /// The turn in this step, with whole revolutions, but less exact than the rotations [rad].
@@ -66,8 +66,8 @@ double BodyPaths::aboutTurnOf(BodyIndex body) const {
 Aabb BodyPaths::boxOf(BodyIndex body, const Shape& shape) {
     if (isStraight(body)) return boxAlong(shape, chordOf(body));
     const std::vector<PathPiece> path = of(body);
-    Aabb box = boxAlong(shape, path.front().way);
-    for (const PathPiece& piece : path) box = merge(box, boxAlong(shape, piece.way));
+    Aabb box = boxAlong(shape, path.front().sweep);
+    for (const PathPiece& piece : path) box = merge(box, boxAlong(shape, piece.sweep));
     return box;
 }
 

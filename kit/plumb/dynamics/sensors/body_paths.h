@@ -12,7 +12,7 @@ namespace plumb {
 
 /// A part of a body's path.
 struct PathPiece {
-    Sweep way;
+    Sweep sweep;
     double start = 0, end = 1;  ///< shares of the step [-]
 };
 

@@ -8,8 +8,7 @@
 
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/sensors/body_paths.h>
-#include <plumb/dynamics/sensors/meeting.h>
-#include <plumb/dynamics/sensors/stray_pairs.h>
+#include <plumb/dynamics/sensors/sensor_pairs.h>
 
 namespace plumb {
 
@@ -60,7 +59,7 @@ public:
     }
 
     /// The same for a pair that is not near.
-    void searchStray(SensorPair& pair) {
+    void searchDeflected(SensorPair& pair) {
         check(pair, false);
         sensors_.changed = sensors_.changed || pair.inside;
     }
@@ -134,8 +133,8 @@ void watchSensors(SensorStore& sensors, const BodyStore& bodies, const Space& sp
     for (SensorPair& pair : sensors.pairs)
         if (search.search(pair)) sensors.pairs[kept++] = pair;
     sensors.pairs.resize(kept);
-    std::vector<SensorPair> strays = findStrayPairs(sensors, bodies, space, paths);
-    for (SensorPair& pair : strays) search.searchStray(pair);
+    std::vector<SensorPair> deflected = findDeflectedPairs(sensors, bodies, space, paths);
+    for (SensorPair& pair : deflected) search.searchDeflected(pair);
     if (!sensors.changed && search.passed.empty()) return;
     std::vector<SensorBegin> now;
     const auto note = [&](const std::vector<SensorPair>& pairs) {
@@ -143,10 +142,11 @@ void watchSensors(SensorStore& sensors, const BodyStore& bodies, const Space& sp
             if (pair.inside) now.push_back(visitOf(bodies, space, pair));
     };
     note(sensors.pairs);
-    note(strays);
+    note(deflected);
     makeEvents(sensors, std::move(now), std::move(search.passed));
-    // The next step knows the strays that are inside only if it finds them again.
-    sensors.changed = std::any_of(strays.begin(), strays.end(), [](const SensorPair& pair) { return pair.inside; });
+    // The next step knows the deflected that are inside only if it finds them again.
+    sensors.changed =
+        std::any_of(deflected.begin(), deflected.end(), [](const SensorPair& pair) { return pair.inside; });
 }
 
 }  // namespace plumb

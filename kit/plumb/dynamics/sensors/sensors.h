@@ -3,7 +3,7 @@
 #pragma once
 #include <plumb/broad/pair.h>
 #include <plumb/dynamics/bodies/free_motion.h>
-#include <plumb/dynamics/sensors/sensor_store.h>
+#include <plumb/dynamics/sensors/sensor_pairs.h>
 
 namespace plumb {
 

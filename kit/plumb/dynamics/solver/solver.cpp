@@ -12,7 +12,7 @@
 #include <plumb/dynamics/fields/field_phases.h>
 #include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/loads/load_paths.h>
-#include <plumb/dynamics/meetings/wall_touch.h>
+#include <plumb/dynamics/meetings/wall_impact.h>
 #include <plumb/dynamics/walls/wall_limits.h>
 #include <plumb/dynamics/walls/wall_stops.h>
 #include <plumb/math/detail/for_lanes.h>

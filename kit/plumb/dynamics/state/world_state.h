@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <plumb/dynamics/bodies/free_motion.h>
-#include <plumb/dynamics/contacts/stale_bounds.h>
+#include <plumb/dynamics/contacts/bounds.h>
 #include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/ledger/account.h>
 #include <plumb/dynamics/sensors/sensors.h>

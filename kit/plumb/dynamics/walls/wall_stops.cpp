@@ -29,7 +29,7 @@ constexpr double floatError = 1e-6;
 constexpr double roundOff = 1e-9;
 
 /// Joints may give a machine this share of its energy more in a sub-step in which it moves in pieces [-].
-constexpr double mostGiven = 1.01;
+constexpr double mostGained = 1.01;
 
 Aabb emptyBox() {
     constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -58,7 +58,7 @@ public:
         motion.angularVelocity = turnBy(stops_.bodies_, body_, v, 1);
         return motion;
     }
-    Vec3 answerTo(const Vec3& impulse) override {
+    Vec3 responseTo(const Vec3& impulse) override {
         if (group_.island == nullptr) return velocityChangeBy(stops_.bodies_, body_, impulse);
         const WallStopStores& stores = stops_.stores_;
         return stores.jointPhases->answer(stores.joints, *group_.island, body_, impulse);
@@ -159,7 +159,7 @@ void WallStops::afterMove(std::span<const FastBody> fast, double start) {
     for (Group& group : groups_) travel(group);
     for (const BodyIndex body : added_) groupOf_[body] = none;
     added_.clear();
-    care_.clear();
+    checks_.clear();
     groups_.clear();
 }
 
@@ -194,32 +194,32 @@ void WallStops::travel(Group& group) {
 /// Can the island stay where it has moved, because it is far from walls and its joints hold?
 bool WallStops::isClear(JointIsland& island) {
     std::vector<JointIsland>& islands = stores_.joints.islands.islands;
-    if (care_.empty()) care_.assign(islands.size(), Care::Unknown);
+    if (checks_.empty()) checks_.assign(islands.size(), Check::Unknown);
     if (noWalls_.empty()) noWalls_.assign(islands.size(), emptyBox());
     const auto number = static_cast<std::size_t>(&island - islands.data());
-    Care& care = care_[number];
-    if (care == Care::Unknown) {
+    Check& check = checks_[number];
+    if (check == Check::Unknown) {
         const bool followed = turnOf(island) <= farthestFollowed;
         const bool needed = isNearWalls(island, noWalls_[number]) || (followed && opens(island));
-        care = needed ? Care::Needed : Care::None;
+        check = needed ? Check::Needed : Check::Clear;
     }
-    return care == Care::None;
+    return check == Check::Clear;
 }
 
 /// Is there anything that one of its bodies could have met? One question for all of them. The box is at first empty.
 /// Then walls are looked for within some distance at once, so that the coming sub-steps need not.
 bool WallStops::isNearWalls(const JointIsland& island, Aabb& noWalls) const {
     if (!bodies_.kinematic.empty() || bodies_.wrap.any()) return true;
-    const Aabb way = wayOf(island);
-    if (contains(noWalls, way)) return false;
+    const Aabb swept = sweptBoxOf(island);
+    if (contains(noWalls, swept)) return false;
     double speed = 0;
     for (const BodyIndex body : island.bodies) speed = std::max(speed, shiftOf(bodies_.velocity[body], 1).norm());
-    const Aabb wide = inflate(way, speed * bodies_.lastStep);
+    const Aabb wide = inflate(swept, speed * bodies_.lastStep);
     if (isFree(wide)) {
         noWalls = wide;
         return false;
     }
-    return !isFree(way);
+    return !isFree(swept);
 }
 
 bool WallStops::isFree(const Aabb& box) const {
@@ -229,7 +229,7 @@ bool WallStops::isFree(const Aabb& box) const {
 }
 
 /// The box around all that its bodies have swept over in the last sub-step.
-Aabb WallStops::wayOf(const JointIsland& island) const {
+Aabb WallStops::sweptBoxOf(const JointIsland& island) const {
     Aabb box = emptyBox();
     for (const BodyIndex body : island.bodies) {
         const SolverDisplacement& d = bodies_.displacement[body];
@@ -237,8 +237,8 @@ Aabb WallStops::wayOf(const JointIsland& island) const {
             last = shiftOf(bodies_.velocity[body], h_);
         const Vec2 to = bodies_.motion[body].center + moved, from = to - last;
         const double reach = bodies_.record[body].boundingRadius + floatError * (moved.norm() + last.norm());
-        const Aabb way = inflate({from.cwiseMin(to), from.cwiseMax(to)}, reach);
-        box = {box.lower.cwiseMin(way.lower), box.upper.cwiseMax(way.upper)};
+        const Aabb swept = inflate({from.cwiseMin(to), from.cwiseMax(to)}, reach);
+        box = {box.lower.cwiseMin(swept.lower), box.upper.cwiseMax(swept.upper)};
     }
     return box;
 }
@@ -282,14 +282,14 @@ void WallStops::search(const Mover& mover, const StepPart& part, Hit& first) con
     const BodyRecord& record = bodies_.record[body];
     const SolverVelocity& v = bodies_.velocity[body];
     const double left = part.to - part.from, far = farShare * record.inradius * left / bodies_.lastStep;
-    const Sweep way{mover.center, shiftOf(v, left), mover.angle, turnBy(bodies_, body, v, left), record.localCenter};
-    WallSearch search(view_, body, way, part, far);
-    if (travelOf(way.shift, way.turn, record) > far) search.searchStatic();
+    const Sweep sweep{mover.center, shiftOf(v, left), mover.angle, turnBy(bodies_, body, v, left), record.localCenter};
+    WallSearch search(view_, body, sweep, part, far);
+    if (travelOf(sweep.shift, sweep.turn, record) > far) search.searchStatic();
     search.searchKinematic();
     if (!search.first()) return;
     const double time = search.first()->time;
     if (first.body != noBody && time >= first.time) return;
-    first = {body, time, motionAt(way, time, left), *search.first()};
+    first = {body, time, motionAt(sweep, time, left), *search.first()};
 }
 
 void WallStops::solve(Group& group, const Hit& hit, double duration) {
@@ -308,7 +308,7 @@ void WallStops::solve(Group& group, const Hit& hit, double duration) {
 void WallStops::hold(const Group& group, double time) {
     const std::vector<SolverVelocity> before = velocitiesOf(group);
     stores_.jointPhases->hold(stores_.joints, *group.island, time);
-    if (energyOf(group) > mostGiven * group.energy)
+    if (energyOf(group) > mostGained * group.energy)
         for (std::size_t m = 0; m < group.movers.size(); ++m) bodies_.velocity[group.movers[m].body] = before[m];
     markChange(group, before);
 }

@@ -66,7 +66,7 @@ private:
     void travel(Group& group);
     bool isClear(JointIsland& island);
     bool isNearWalls(const JointIsland& island, Aabb& noWalls) const;
-    Aabb wayOf(const JointIsland& island) const;
+    Aabb sweptBoxOf(const JointIsland& island) const;
     bool isFree(const Aabb& box) const;
     double turnOf(const JointIsland& island) const;
     bool opens(const JointIsland& island) const;
@@ -88,8 +88,8 @@ private:
     WallView view_;
     double h_, start_ = 0;
     std::vector<std::uint32_t> islandOf_;  ///< of each body, none if it is alone; empty until it is needed
-    enum class Care : std::uint8_t { Unknown, None, Needed };
-    std::vector<Care> care_;              ///< of each island, in this sub-step
+    enum class Check : std::uint8_t { Unknown, Clear, Needed };
+    std::vector<Check> checks_;           ///< of each island, in this sub-step
     std::vector<Aabb> noWalls_;           ///< of each island, in this step: a box that no wall reaches into
     std::vector<std::uint32_t> groupOf_;  ///< of each body, in this sub-step; none if it is not added
     std::vector<BodyIndex> added_;        ///< those, in the order in which they were added

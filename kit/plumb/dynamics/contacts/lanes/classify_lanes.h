@@ -19,7 +19,7 @@ struct Reaching {
 
     /// How far to move a point that is half-way between two surfaces along the normal from A to B [m]. Of a distant
     /// pair it is wanted where the two will meet, on A's surface.
-    typename Wide<W>::Float wayToPlace(typename Wide<W>::Float separation) const {
+    typename Wide<W>::Float shiftToPlace(typename Wide<W>::Float separation) const {
         return far ? separation * -0.5f : typename Wide<W>::Float{};
     }
 };

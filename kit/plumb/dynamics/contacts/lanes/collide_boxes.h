@@ -257,10 +257,10 @@ struct BoxCollider {
             const F onT = t + nt * n * 0.5f, onN = f.hn + nn * n * 0.5f;
             F x = onN * f.nx - onT * f.ny, y = onN * f.ny + onT * f.nx;
             toA.place(x, y);
-            const F way = reach.wayToPlace(n);
+            const F shift = reach.shiftToPlace(n);
             FreshPoint& out = fresh.points[i];
-            storeLanes(out.x + lane, x + normalX * way);
-            storeLanes(out.y + lane, y + normalY * way);
+            storeLanes(out.x + lane, x + normalX * shift);
+            storeLanes(out.y + lane, y + normalY * shift);
             storeLanes(out.separation + lane, n);
             storeLanes(out.feature + lane, useSecond ? second.feature : own.feature);
         }

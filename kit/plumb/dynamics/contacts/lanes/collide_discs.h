@@ -132,8 +132,9 @@ struct DiscCollider {
         const F radiusA = at(m.radiusA + lane), radiusB = at(m.radiusB + lane);
         const F separation = n.distance - radiusA - radiusB;
         const F round = boxIsB ? radiusB : radiusA;
-        const F way = (round + separation * 0.5f) - n.distance;  // from the disc's centre to half-way between surfaces
-        const F x = v.px + n.nx * way, y = v.py + n.ny * way;
+        const F shift =
+            (round + separation * 0.5f) - n.distance;  // from the disc's centre to half-way between surfaces
+        const F x = v.px + n.nx * shift, y = v.py + n.ny * shift;
         const F turnedX = (r.cos * x - r.sin * y) + r.dx, turnedY = (r.sin * x + r.cos * y) + r.dy;
         const F normalX = boxIsB ? -(r.cos * n.nx - r.sin * n.ny) : n.nx;
         const F normalY = boxIsB ? -(r.sin * n.nx + r.cos * n.ny) : n.ny;

@@ -119,8 +119,8 @@ struct PolygonCollider {
         Edges e;
         e.startX = reference.startX;
         e.startY = reference.startY;
-        e.wayX = reference.endX - reference.startX;
-        e.wayY = reference.endY - reference.startY;
+        e.alongX = reference.endX - reference.startX;
+        e.alongY = reference.endY - reference.startY;
         e.normalX = reference.normalX;
         e.normalY = reference.normalY;
         e.highX = incident.startX;
@@ -131,7 +131,7 @@ struct PolygonCollider {
         e.end = reference.after(count);
         e.incidentEdge = e.high = incident.index;
         e.low = incident.after(incidentCount);
-        const F length = size(e.wayX, e.wayY), incidentLength = size(e.highX - e.lowX, e.highY - e.lowY);
+        const F length = size(e.alongX, e.alongY), incidentLength = size(e.highX - e.lowX, e.highY - e.lowY);
         e.rounding = lengthRoundings * (parted + size(e.startX, e.startY) + length + incidentLength);
         e.slack = e.rounding + edgePreference * smaller(length, incidentLength);
         return e;
@@ -148,9 +148,9 @@ struct PolygonCollider {
             const auto& point = touch.points[p];
             FreshPoint& out = to.fresh.points[p];
             const I first = useB ? point.incident : point.reference, second = useB ? point.reference : point.incident;
-            const F way = reach.wayToPlace(point.separation);
-            to.put(out.x, point.x + normalX * way);
-            to.put(out.y, point.y + normalY * way);
+            const F shift = reach.shiftToPlace(point.separation);
+            to.put(out.x, point.x + normalX * shift);
+            to.put(out.y, point.y + normalY * shift);
             to.put(out.separation, point.separation);
             to.put(out.feature, I((first << 8) | second));
         }

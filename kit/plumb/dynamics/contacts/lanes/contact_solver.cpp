@@ -74,7 +74,7 @@ float separationNow(const ContactBatch& batch, const PointLanes& p, std::size_t 
     return p.startSeparation[lane] + (shift + (turnB - turnA));
 }
 
-using Given = ContactGiven;
+using Solved = ContactImpulses;
 
 using Points = TwoPoints<float>;
 
@@ -110,31 +110,31 @@ void setTangents(BodyPair& c, ContactBatch& batch, std::size_t lane, const Point
 }
 
 /// A torque against rolling on each other, limited to rollingArm times the normal impulse.
-void solveRolling(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
+void solveRolling(BodyPair& c, ContactBatch& batch, std::size_t lane, const Solved& solved) {
     const float old = batch.rollImpulse[lane];
-    const float normal = (given.normal[0] + batch.points[0].normalImpulse[lane]) +
-                         (given.normal[1] + batch.points[1].normalImpulse[lane]);
+    const float normal = (solved.normal[0] + batch.points[0].normalImpulse[lane]) +
+                         (solved.normal[1] + batch.points[1].normalImpulse[lane]);
     const float limit = batch.rollingArm[lane] * normal;
     const float speed = batch.rollInverseGyrationB[lane] * c.b.w - batch.rollInverseGyrationA[lane] * c.a.w;
     const float wanted = old - batch.rollMass[lane] * speed;
-    const float now = larger(smaller(wanted, limit - given.roll), -limit - given.roll);
+    const float now = larger(smaller(wanted, limit - solved.roll), -limit - solved.roll);
     batch.rollImpulse[lane] = now;
     twist(c, batch, lane, now - old);
 }
 
 /// After the normal impulses, so that the limit is known even in a contact's first sub-step: friction of both halves
 /// together is limited to mu times the normal impulse of both (Coulomb's cone).
-void solveAlong(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
+void solveAlong(BodyPair& c, ContactBatch& batch, std::size_t lane, const Solved& solved) {
     const float belt = batch.hasSurfaceSpeed ? batch.surfaceSpeed[lane] : 0.0f;
     const auto point = [&](int i) -> const PointLanes& { return batch.points[i]; };
     setTangents(c, batch, lane,
                 Points::tangents(each([&](int i) { return point(i).tangentMass[lane]; }),
                                  each([&](int i) { return point(i).tangentImpulse[lane]; }),
-                                 {{given.tangent[0], given.tangent[1]}},
+                                 {{solved.tangent[0], solved.tangent[1]}},
                                  each([&](int i) { return tangentSpeed(c, point(i), lane) + belt; }), each([&](int i) {
-                                     return batch.friction[lane] * (given.normal[i] + point(i).normalImpulse[lane]);
+                                     return batch.friction[lane] * (solved.normal[i] + point(i).normalImpulse[lane]);
                                  })));
-    if (batch.hasRollingResistance) solveRolling(c, batch, lane, given);
+    if (batch.hasRollingResistance) solveRolling(c, batch, lane, solved);
 }
 
 template <class Batch, class Visit>
@@ -144,16 +144,16 @@ void forEachLane(Batch* batches, std::size_t contacts, Visit&& visit) {
 
 void gatherWarmStart(const ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies) {
     forEachLane(batches, contacts, [&](const ContactBatch& batch, std::size_t lane) {
-        BodyPair couple = load(batch, lane, bodies.warm);
-        couple.a.inverseMass = bodies.velocity[batch.bodyA[lane]].inverseMass;
-        couple.b.inverseMass = bodies.velocity[batch.bodyB[lane]].inverseMass;
+        BodyPair pair = load(batch, lane, bodies.warm);
+        pair.a.inverseMass = bodies.velocity[batch.bodyA[lane]].inverseMass;
+        pair.b.inverseMass = bodies.velocity[batch.bodyB[lane]].inverseMass;
         for (const PointLanes& p : batch.points) {
-            pushNormal(couple, p, lane, p.normalImpulse[lane]);
-            pushTangent(couple, p, lane, p.tangentImpulse[lane]);
+            pushNormal(pair, p, lane, p.normalImpulse[lane]);
+            pushTangent(pair, p, lane, p.tangentImpulse[lane]);
         }
-        if (batch.hasRollingResistance) twist(couple, batch, lane, batch.rollImpulse[lane]);
-        couple.a.inverseMass = couple.b.inverseMass = 0;
-        store(batch, lane, couple, bodies.warm);
+        if (batch.hasRollingResistance) twist(pair, batch, lane, batch.rollImpulse[lane]);
+        pair.a.inverseMass = pair.b.inverseMass = 0;
+        store(batch, lane, pair, bodies.warm);
     });
 }
 
@@ -162,44 +162,44 @@ void solve(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodi
                 [&](ContactBatch& batch, std::size_t lane) { solveLane(batch, lane, bodies, pass); });
 }
 
-void relaxPoints(BodyPair& c, ContactBatch& batch, std::size_t lane, const ContactPass& pass, const Given& given) {
+void relaxPoints(BodyPair& c, ContactBatch& batch, std::size_t lane, const ContactPass& pass, const Solved& solved) {
     const Points::Each total =
         pointsOf(c, batch, lane)
-            .normals(each([&](int i) { return given.normal[i] + batch.points[i].normalImpulse[lane]; }),
+            .normals(each([&](int i) { return solved.normal[i] + batch.points[i].normalImpulse[lane]; }),
                      each([&](int i) {
                          const PointLanes& p = batch.points[i];
                          return normalSpeed(c, p, lane) + larger(p.separation[lane], 0.0f) * pass.inverseStep;
                      }),
                      {{1, 1}});
-    setNormals(c, batch, lane, each([&](int i) { return total.at[i] - given.normal[i]; }));
-    solveAlong(c, batch, lane, given);
+    setNormals(c, batch, lane, each([&](int i) { return total.at[i] - solved.normal[i]; }));
+    solveAlong(c, batch, lane, solved);
 }
 
-void addTotals(ContactBatch& batch, std::size_t lane, const Given& given) {
+void addTotals(ContactBatch& batch, std::size_t lane, const Solved& solved) {
     for (int i = 0; i < 2; ++i) {
         PointLanes& p = batch.points[i];
-        p.totalNormal[lane] = given.totalNormal[i] + (given.normal[i] + p.normalImpulse[lane]);
-        p.totalTangent[lane] = given.totalTangent[i] + (given.tangent[i] + p.tangentImpulse[lane]);
-        if (given.normal[i] > 0 || p.normalImpulse[lane] > 0) batch.pushed[lane] = -1;
+        p.totalNormal[lane] = solved.totalNormal[i] + (solved.normal[i] + p.normalImpulse[lane]);
+        p.totalTangent[lane] = solved.totalTangent[i] + (solved.tangent[i] + p.tangentImpulse[lane]);
+        if (solved.normal[i] > 0 || p.normalImpulse[lane] > 0) batch.pushed[lane] = -1;
     }
 }
 
 void relax(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies, const ContactPass& pass) {
     forEachLane(batches, contacts, [&](ContactBatch& batch, std::size_t lane) {
-        BodyPair couple = load(batch, lane, bodies.velocity);
-        const Given given = givenBy(batch, lane);  // the impulses of solve, applied a second time as a first guess
+        BodyPair pair = load(batch, lane, bodies.velocity);
+        const Solved solved = impulsesOf(batch, lane);  // the impulses of solve, applied a second time as a first guess
         for (PointLanes& p : batch.points) p.separation[lane] = separationNow(batch, p, lane, bodies.displacement);
-        relaxPoints(couple, batch, lane, pass, given);
-        addTotals(batch, lane, given);
-        store(batch, lane, couple, bodies.velocity);
+        relaxPoints(pair, batch, lane, pass, solved);
+        addTotals(batch, lane, solved);
+        store(batch, lane, pair, bodies.velocity);
     });
 }
 
 void bounce(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies) {
     forEachLane(batches, contacts, [&](ContactBatch& batch, std::size_t lane) {
         if (!batch.bounces) return;
-        BodyPair couple = load(batch, lane, bodies.velocity);
-        Points points = pointsOf(couple, batch, lane);
+        BodyPair pair = load(batch, lane, bodies.velocity);
+        Points points = pointsOf(pair, batch, lane);
         const auto bounces = [&](int i) {
             return batch.points[i].bounceSpeed[lane] > 0 && batch.points[i].totalNormal[lane] > 0;
         };
@@ -208,64 +208,64 @@ void bounce(ContactBatch* batches, std::size_t contacts, const SolverBodies& bod
         const Points::Each old = each([&](int i) { return batch.points[i].totalNormal[lane]; });
         const Points::Each now = points.normals(old, each([&](int i) {
                                                     const PointLanes& p = batch.points[i];
-                                                    return normalSpeed(couple, p, lane) - p.bounceSpeed[lane];
+                                                    return normalSpeed(pair, p, lane) - p.bounceSpeed[lane];
                                                 }),
                                                 {{1, 1}});
         for (int i = 0; i < 2; ++i) {
             const float total = bounces(i) ? now.at[i] : old.at[i];
             batch.points[i].totalNormal[lane] = total;
-            pushNormal(couple, batch.points[i], lane, total - old.at[i]);
+            pushNormal(pair, batch.points[i], lane, total - old.at[i]);
         }
-        store(batch, lane, couple, bodies.velocity);
+        store(batch, lane, pair, bodies.velocity);
     });
 }
 
 }  // namespace
 
-ContactGiven givenBy(const ContactBatch& batch, std::size_t lane) {
-    ContactGiven given;
-    given.roll = batch.hasRollingResistance ? batch.rollImpulse[lane] : 0.0f;
+ContactImpulses impulsesOf(const ContactBatch& batch, std::size_t lane) {
+    ContactImpulses solved;
+    solved.roll = batch.hasRollingResistance ? batch.rollImpulse[lane] : 0.0f;
     for (int i = 0; i < 2; ++i) {
-        given.normal[i] = batch.points[i].normalImpulse[lane];
-        given.tangent[i] = batch.points[i].tangentImpulse[lane];
-        given.totalNormal[i] = batch.points[i].totalNormal[lane];
-        given.totalTangent[i] = batch.points[i].totalTangent[lane];
+        solved.normal[i] = batch.points[i].normalImpulse[lane];
+        solved.tangent[i] = batch.points[i].tangentImpulse[lane];
+        solved.totalNormal[i] = batch.points[i].totalNormal[lane];
+        solved.totalTangent[i] = batch.points[i].totalTangent[lane];
     }
-    return given;
+    return solved;
 }
 
-void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactGiven& start) {
-    BodyPair couple = load(batch, lane, bodies.velocity);
-    setNormals(couple, batch, lane, {{start.normal[0], start.normal[1]}});
-    setTangents(couple, batch, lane, {{start.tangent[0], start.tangent[1]}});
-    if (batch.hasRollingResistance) twist(couple, batch, lane, start.roll - batch.rollImpulse[lane]);
+void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactImpulses& start) {
+    BodyPair pair = load(batch, lane, bodies.velocity);
+    setNormals(pair, batch, lane, {{start.normal[0], start.normal[1]}});
+    setTangents(pair, batch, lane, {{start.tangent[0], start.tangent[1]}});
+    if (batch.hasRollingResistance) twist(pair, batch, lane, start.roll - batch.rollImpulse[lane]);
     batch.rollImpulse[lane] = start.roll;
-    store(batch, lane, couple, bodies.velocity);
+    store(batch, lane, pair, bodies.velocity);
 }
 
 void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass) {
-    BodyPair couple = load(batch, lane, bodies.velocity);
+    BodyPair pair = load(batch, lane, bodies.velocity);
     const Points::Each now =
-        pointsOf(couple, batch, lane)
+        pointsOf(pair, batch, lane)
             .normals(each([&](int i) { return batch.points[i].normalImpulse[lane]; }), each([&](int i) {
                          const PointLanes& p = batch.points[i];
                          const float s = p.separation[lane];
                          const float bias =
                              s > 0 ? s * pass.inverseStep : larger(pass.soft.biasRate * s, -pass.pushSpeed);
-                         return normalSpeed(couple, p, lane) + bias;
+                         return normalSpeed(pair, p, lane) + bias;
                      }),
                      each([&](int i) { return batch.points[i].separation[lane] > 0 ? 1.0f : pass.soft.massScale; }));
-    setNormals(couple, batch, lane, now);
-    solveAlong(couple, batch, lane, {});
-    store(batch, lane, couple, bodies.velocity);
+    setNormals(pair, batch, lane, now);
+    solveAlong(pair, batch, lane, {});
+    store(batch, lane, pair, bodies.velocity);
 }
 
 void relaxLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass,
-               const ContactGiven& given) {
-    BodyPair couple = load(batch, lane, bodies.velocity);
-    relaxPoints(couple, batch, lane, pass, given);
-    addTotals(batch, lane, given);
-    store(batch, lane, couple, bodies.velocity);
+               const ContactImpulses& solved) {
+    BodyPair pair = load(batch, lane, bodies.velocity);
+    relaxPoints(pair, batch, lane, pass, solved);
+    addTotals(batch, lane, solved);
+    store(batch, lane, pair, bodies.velocity);
 }
 
 const ContactSolver scalarContactSolver{gatherWarmStart, solve, relax, bounce};

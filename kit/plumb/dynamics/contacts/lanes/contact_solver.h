@@ -42,19 +42,19 @@ struct ContactSolver {
 };
 
 /// The impulses of the first half of the sub-step, which the second half may take back; 0 during the first half.
-struct ContactGiven {
+struct ContactImpulses {
     float normal[2] = {0, 0}, tangent[2] = {0, 0};
     float roll = 0;
     float totalNormal[2] = {0, 0}, totalTangent[2] = {0, 0};  ///< until then, since the step's start
 };
 /// The present impulses of a lane.
-ContactGiven givenBy(const ContactBatch& batch, std::size_t lane);
-/// Takes back what a lane has given since it had these impulses.
-void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactGiven& start);
-/// Solves one lane once more, after solve or relax. given: before relax.
+ContactImpulses impulsesOf(const ContactBatch& batch, std::size_t lane);
+/// Takes back what a lane has added since it had these impulses.
+void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactImpulses& start);
+/// Solves one lane once more, after solve or relax. solved: the impulses before relax.
 void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass);
 void relaxLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass,
-               const ContactGiven& given);
+               const ContactImpulses& solved);
 
 /// Solves one lane after the other: the reference, short enough for teaching.
 extern const ContactSolver scalarContactSolver;

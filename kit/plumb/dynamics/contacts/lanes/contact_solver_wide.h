@@ -108,38 +108,38 @@ struct WideContacts {
     }
 
     /// The impulses of the first half of the sub-step, which the second half may take back; 0 during the first half.
-    struct Given {
+    struct Solved {
         Each normal{}, tangent{};
         F roll{};
     };
 
     static F clamped(F wanted, F limit, F before) { return larger(smaller(wanted, limit - before), -limit - before); }
 
-    static void solveRolling(BodyPair& c, ContactBatch& batch, int lane, const Each& normal, const Given& given) {
+    static void solveRolling(BodyPair& c, ContactBatch& batch, int lane, const Each& normal, const Solved& solved) {
         const F old = at(batch.rollImpulse + lane);
         const F limit =
-            at(batch.rollingArm + lane) * ((given.normal.at[0] + normal.at[0]) + (given.normal.at[1] + normal.at[1]));
+            at(batch.rollingArm + lane) * ((solved.normal.at[0] + normal.at[0]) + (solved.normal.at[1] + normal.at[1]));
         const F speed = at(batch.rollInverseGyrationB + lane) * c.b.z - at(batch.rollInverseGyrationA + lane) * c.a.z;
-        const F now = clamped(old - at(batch.rollMass + lane) * speed, limit, given.roll);
+        const F now = clamped(old - at(batch.rollMass + lane) * speed, limit, solved.roll);
         storeLanes(batch.rollImpulse + lane, now);
         twist(c, batch, lane, now - old);
     }
 
     /// Returns the tangent impulses.
     [[gnu::always_inline]] static inline Each solveAlong(BodyPair& c, ContactBatch& batch, int lane, const Arms* r,
-                                                         const Each& normal, const Given& given) {
+                                                         const Each& normal, const Solved& solved) {
         const F friction = at(batch.friction + lane);
         const F belt = batch.hasSurfaceSpeed ? at(batch.surfaceSpeed + lane) : F{};
         const Each old = each(batch, lane, &PointLanes::tangentImpulse);
         const Each now = Points::tangents(
-            each(batch, lane, &PointLanes::tangentMass), old, given.tangent,
+            each(batch, lane, &PointLanes::tangentMass), old, solved.tangent,
             {{tangentSpeed(c, r[0]) + belt, tangentSpeed(c, r[1]) + belt}},
-            {{friction * (given.normal.at[0] + normal.at[0]), friction * (given.normal.at[1] + normal.at[1])}});
+            {{friction * (solved.normal.at[0] + normal.at[0]), friction * (solved.normal.at[1] + normal.at[1])}});
         for (int i = 0; i < 2; ++i) {
             storeLanes(batch.points[i].tangentImpulse + lane, now.at[i]);
             pushTangent(c, r[i], now.at[i] - old.at[i]);
         }
-        if (batch.hasRollingResistance) solveRolling(c, batch, lane, normal, given);
+        if (batch.hasRollingResistance) solveRolling(c, batch, lane, normal, solved);
         return now;
     }
 
@@ -172,7 +172,7 @@ struct WideContacts {
         }
         const Each normal = pointsOf(batch, lane, c, r).normals(old, speed, share);
         setNormals(c, batch, lane, r, old, normal);
-        solveAlong(c, batch, lane, r, normal, Given{});
+        solveAlong(c, batch, lane, r, normal, Solved{});
         store(batch, lane, c, bodies.velocity);
     }
 
@@ -182,25 +182,26 @@ struct WideContacts {
         const Bodies da = loadRows<W>(&bodies.displacement->x, batch.bodyA + lane);
         const Bodies db = loadRows<W>(&bodies.displacement->x, batch.bodyB + lane);
         const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
-        const Given given{each(batch, lane, &PointLanes::normalImpulse), each(batch, lane, &PointLanes::tangentImpulse),
-                          batch.hasRollingResistance ? at(batch.rollImpulse + lane) : F{}};
+        const Solved solved{each(batch, lane, &PointLanes::normalImpulse),
+                            each(batch, lane, &PointLanes::tangentImpulse),
+                            batch.hasRollingResistance ? at(batch.rollImpulse + lane) : F{}};
         Each speed, normal;
         for (int i = 0; i < 2; ++i) {
             const F s = separationNow(batch, batch.points[i], r[i], lane, c, da, db);
             storeLanes(batch.points[i].separation + lane, s);
             speed.at[i] = normalSpeed(c, r[i]) + larger(s, F{}) * pass.inverseStep;
-            normal.at[i] = given.normal.at[i] + given.normal.at[i];
+            normal.at[i] = solved.normal.at[i] + solved.normal.at[i];
         }
         normal = pointsOf(batch, lane, c, r).normals(normal, speed, {{all(1), all(1)}});
-        for (int i = 0; i < 2; ++i) normal.at[i] = normal.at[i] - given.normal.at[i];
-        setNormals(c, batch, lane, r, given.normal, normal);
-        const Each tangent = solveAlong(c, batch, lane, r, normal, given);
+        for (int i = 0; i < 2; ++i) normal.at[i] = normal.at[i] - solved.normal.at[i];
+        setNormals(c, batch, lane, r, solved.normal, normal);
+        const Each tangent = solveAlong(c, batch, lane, r, normal, solved);
         auto pushed = loadLanes<W>(batch.pushed + lane);
         for (int i = 0; i < 2; ++i) {
             PointLanes& p = batch.points[i];
-            storeLanes(p.totalNormal + lane, at(p.totalNormal + lane) + (given.normal.at[i] + normal.at[i]));
-            storeLanes(p.totalTangent + lane, at(p.totalTangent + lane) + (given.tangent.at[i] + tangent.at[i]));
-            pushed |= (given.normal.at[i] > F{}) | (normal.at[i] > F{});
+            storeLanes(p.totalNormal + lane, at(p.totalNormal + lane) + (solved.normal.at[i] + normal.at[i]));
+            storeLanes(p.totalTangent + lane, at(p.totalTangent + lane) + (solved.tangent.at[i] + tangent.at[i]));
+            pushed |= (solved.normal.at[i] > F{}) | (normal.at[i] > F{});
         }
         storeLanes(batch.pushed + lane, pushed);
         store(batch, lane, c, bodies.velocity);

@@ -2,9 +2,10 @@
 // Which contacts rest, so that their normals and arms stay as they are?
 //
 // Two rigid faces that lie on each other and both bear load cannot turn against each other. What their bodies turn is
-// the give of the contact's springs. If the loads of a column followed that, it would buckle. So while a face rests on
-// a face, the directions and the arms of its forces stay as they were, until an arm is wrong by mostArm; then all are
-// taken anew. The moment of a force F about a body's centre is wrong by at most mostArm k F (k radius of gyration).
+// the compliance of the contact's springs. If the loads of a column followed that, it would buckle. So while a face
+// rests on a face, the directions and the arms of its forces stay as they were, until an arm is wrong by mostArm; then
+// all are taken anew. The moment of a force F about a body's centre is wrong by at most mostArm k F (k radius of
+// gyration).
 // ../../rest.md has what that gives.
 // Test: "a column of forty boxes that are kept awake stands for a minute"
 // Source of the idea: contact recycling in Box2D 3.2, which allows a motion of 5 cm.

@@ -56,18 +56,18 @@ struct TwoPoints {
         return {{larger(alone0 - m0 * (coupling * second), F{}), second}};
     }
 
-    /// The impulses after which the points do not slide. limit: what a point holds; 0 where it is negative. given:
+    /// The impulses after which the points do not slide. limit: what a point holds; 0 where it is negative. solved:
     /// impulses that count for the limits in addition.
-    [[gnu::always_inline]] static inline Each tangents(const Each& tangentMass, const Each& old, const Each& given,
+    [[gnu::always_inline]] static inline Each tangents(const Each& tangentMass, const Each& old, const Each& solved,
                                                        const Each& speed, const Each& limit) {
         const F limit0 = larger(limit.at[0], F{}), limit1 = larger(limit.at[1], F{}), room = limit0 + limit1;
         const F part = (F{} + 1.0F) / larger(room, F{} + 1e-30F), part0 = limit0 * part, part1 = limit1 * part;
         const F slow =
             (part0 * tangentMass.at[0] + part1 * tangentMass.at[1]) * (part0 * speed.at[0] + part1 * speed.at[1]);
-        const F sum = (given.at[0] + old.at[0]) + (given.at[1] + old.at[1]);
+        const F sum = (solved.at[0] + old.at[0]) + (solved.at[1] + old.at[1]);
         const F now = larger(smaller(sum - slow, room), -room);
         const auto acts = tangentMass.at[0] + tangentMass.at[1] > F{};
-        return {{acts ? part0 * now - given.at[0] : old.at[0], acts ? part1 * now - given.at[1] : old.at[1]}};
+        return {{acts ? part0 * now - solved.at[0] : old.at[0], acts ? part1 * now - solved.at[1] : old.at[1]}};
     }
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/edit/quarantine.h>
+#include <plumb/dynamics/edit/step_edits.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <plumb/dynamics/contacts/crowd.h>
 #include <plumb/dynamics/edit/body_shapes.h>
 #include <plumb/dynamics/edit/edits.h>
 
@@ -34,6 +35,28 @@ void dropHitsOfNoPlace(WorldEvents& events) {
 }
 
 }  // namespace
+
+void addNewPairs(WorldState& w) {
+    const SortedPairs& pairs = w.space.findNewPairs();
+    const std::span<const Vec2> shifts = w.space.newPairShifts();
+    Crowd crowd(w.contacts, w.bodies, w.space);
+    if (!w.contacts.leftOut.empty())
+        crowd.takeBack([&w](const ShiftedShapes& pair) {
+            for (const ProxyId proxy : {pair.shapes.a, pair.shapes.b}) w.bodies.notePlaced(w.space[proxy].owner);
+            w.contacts.early.push_back(pair.shapes);  // shapes that were edited meanwhile are found again below
+            addPair(w, pair);
+        });
+    std::vector<Pair>& early = w.contacts.early;
+    std::sort(early.begin(), early.end());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const ShiftedShapes pair{pairs[i], shifts.empty() ? Vec2(0, 0) : shifts[i]};
+        if (std::binary_search(early.begin(), early.end(), pairs[i]) &&
+            findContact(w.contacts, w.bodies, w.space, pair) != none)
+            continue;
+        if (!crowd.leavesOut(pair)) addPair(w, pair);
+    }
+    early.clear();
+}
 
 void quarantine(WorldState& world) {
     const std::vector<BodyIndex> leaving = std::move(world.bodies.outOfRange);

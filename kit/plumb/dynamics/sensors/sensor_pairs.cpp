@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/sensors/stray_pairs.h>
+#include <plumb/dynamics/sensors/sensor_pairs.h>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <vector>
 
+#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/contacts/bounds.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
@@ -12,8 +14,49 @@ namespace plumb {
 
 namespace {
 
+/// An upper bound on how far the two shapes have moved relative to each other [m].
+double travelOf(const Sweep& sensor, const Sweep& visitor, const Vec2& image, const Shape& shape) {
+    const Vec2 apart = visitor.start + image - sensor.start, shift = visitor.shift - sensor.shift;
+    const double reach = turningRadiusOf(shape, visitor.localCenter);
+    return shift.norm() + std::fabs(visitor.turn) * reach +
+           std::fabs(sensor.turn) * (apart.norm() + shift.norm() + reach);
+}
+
+/// The part of a piece of a path between two shares of the step.
+Sweep partBetween(const PathPiece& piece, double start, double end) {
+    const double whole = piece.end - piece.start;
+    if (whole <= 0) return piece.sweep;
+    return partOf(piece.sweep, (start - piece.start) / whole, (end - piece.start) / whole);
+}
+
+}  // namespace
+
+bool haveMet(const SensorPair& pair, double separation, const Space& space, BodyPaths& paths) {
+    const Proxy& sensor = space[pair.sensor];
+    const Proxy& visitor = space[pair.visitor];
+    const Shape& shape = visitor.def.shape;
+    const auto meet = [&](const Sweep& here, Sweep there) {
+        there.start += pair.shift;
+        const SweptShape swept{&shape, there, turningRadiusOf(shape, there.localCenter)};
+        return timeOfApproach({&sensor.def.shape, here, 0}, swept, 0, 0).has_value();
+    };
+    if (paths.isStraight(sensor.owner) && paths.isStraight(visitor.owner)) {
+        const Sweep here = paths.chordOf(sensor.owner), there = paths.chordOf(visitor.owner);
+        return travelOf(here, there, pair.shift, shape) >= separation && meet(here, there);
+    }
+    const std::vector<PathPiece> here = paths.of(sensor.owner), there = paths.of(visitor.owner);
+    for (const PathPiece& a : here)
+        for (const PathPiece& b : there) {
+            const double start = std::max(a.start, b.start), end = std::min(a.end, b.end);
+            if (start <= end && meet(partBetween(a, start, end), partBetween(b, start, end))) return true;
+        }
+    return false;
+}
+
+namespace {
+
 /// A shape that has left its bounds, and the box of its path.
-struct StrayShape {
+struct DeflectedShape {
     ProxyId proxy = 0;
     Aabb box;
 };
@@ -33,9 +76,9 @@ bool mayHaveLeft(const BodyStore& bodies, BodyIndex body) {
            excessOfPrediction(bodies, body, moved, turned) >= spare;
 }
 
-class StraySearch {
+class DeflectedSearch {
 public:
-    StraySearch(const BodyStore& bodies, const Space& space, BodyPaths& paths)
+    DeflectedSearch(const BodyStore& bodies, const Space& space, BodyPaths& paths)
         : bodies_(bodies), space_(space), paths_(paths) {}
 
     /// Finds the shapes that have left their bounds.
@@ -52,13 +95,13 @@ public:
     }
 
     std::vector<SensorPair> pairs() {
-        for (const StrayShape& visitor : visitors_)
+        for (const DeflectedShape& visitor : visitors_)
             space_.query(visitor.box, [&](ProxyId other, const Vec2& shift) {
                 if (space_.filterKey(other).sensor) meet(other, visitor.proxy, -shift);
             });
-        for (const StrayShape& sensor : sensors_) {
+        for (const DeflectedShape& sensor : sensors_) {
             space_.query(sensor.box, [&](ProxyId other, const Vec2& shift) { meet(sensor.proxy, other, shift); });
-            for (const StrayShape& visitor : visitors_) {
+            for (const DeflectedShape& visitor : visitors_) {
                 const Vec2 shift =
                     bodies_.wrap.any() ? bodies_.wrap.shiftNear(visitor.box.lower, sensor.box.lower) : Vec2(0, 0);
                 if (overlap(sensor.box, {visitor.box.lower + shift, visitor.box.upper + shift}))
@@ -70,7 +113,7 @@ public:
     }
 
 private:
-    void add(ProxyId proxy, std::vector<StrayShape>& list) {
+    void add(ProxyId proxy, std::vector<DeflectedShape>& list) {
         const Proxy& shape = space_[proxy];
         const Aabb box = paths_.boxOf(shape.owner, shape.def.shape);
         if (contains(space_.box(proxy), box) || bodies_.wrap.isExceededBy(box.upper - box.lower)) return;
@@ -96,16 +139,16 @@ private:
     const BodyStore& bodies_;
     const Space& space_;
     BodyPaths& paths_;
-    std::vector<StrayShape> visitors_, sensors_;
+    std::vector<DeflectedShape> visitors_, sensors_;
     std::vector<SensorPair> pairs_;
 };
 
 }  // namespace
 
-std::vector<SensorPair> findStrayPairs(const SensorStore& sensors, const BodyStore& bodies, const Space& space,
-                                       BodyPaths& paths) {
+std::vector<SensorPair> findDeflectedPairs(const SensorStore& sensors, const BodyStore& bodies, const Space& space,
+                                           BodyPaths& paths) {
     if (sensors.sensors.empty()) return {};
-    StraySearch search(bodies, space, paths);
+    DeflectedSearch search(bodies, space, paths);
     search.gather(sensors.sensors);
     return search.pairs();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/bodies/placed_outline.h>
+#include <plumb/dynamics/fields/placed_outline.h>
 
 #include <plumb/shapes/chain.h>
 
@@ -41,6 +41,34 @@ PlacedOutline placedOutline(const Shape& shape, const BodyRecord& body, const Bo
     PlacedOutline outline = std::visit([](const auto& s) { return localOutline(s); }, shape);
     for (Vec2& corner : outline.corners) corner = there.center + there.rotation * Vec2(corner - body.localCenter);
     return outline;
+}
+
+namespace {
+
+/// A fluid in a body's frame, with the origin at its centre of mass.
+Fluid seenFrom(const BodyMotion& motion, const Fluid& fluid) {
+    const Rot back = motion.rotation.inverse();
+    return {fluid.density, back * Vec2(fluid.surface - motion.center), back * fluid.gravity};
+}
+
+}  // namespace
+
+// Computed in the body's frame: there the shapes are as exact as when they were added, however far the body is from the
+// world's origin.
+std::vector<Submerged> submergedPartsOf(const BodyStore& bodies, const Space& space, BodyIndex body,
+                                        const BodyMotion& motion, const Fluid& fluid) {
+    const BodyRecord& record = bodies.record[body];
+    const Fluid seen = seenFrom(motion, fluid);
+    std::vector<Submerged> parts;
+    for (const ProxyId proxy : bodies.links[body].proxies) {
+        const ShapeDef& def = space[proxy].def;
+        const PlacedOutline outline = placedOutline(def.shape, record, {});
+        if (def.sensor || !outline.hasArea) continue;
+        Submerged part = submergedPartOf(outline.corners, outline.radius, seen);
+        part.centroid = motion.center + motion.rotation * part.centroid;
+        if (part.area > 0) parts.push_back(part);
+    }
+    return parts;
 }
 
 }  // namespace plumb
