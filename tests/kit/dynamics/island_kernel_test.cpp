@@ -21,7 +21,7 @@ using plumb::RowAxis;
 using plumb::RowField;
 using plumb::RowState;
 using plumb::test::DenseRows;
-using plumb::test::IslandNumbers;
+using plumb::test::KernelNumbers;
 using plumb::test::MachineParts;
 using plumb::test::RandomMachine;
 using plumb::test::randomMachine;
@@ -44,7 +44,7 @@ RowState validState(const Curve& row, RowState state) {
 }
 
 /// Motor, spring and limits of a row that does not hold, each of which may be missing; and a state that is valid.
-void drawCurve(Random& random, IslandNumbers& lanes, std::size_t i) {
+void drawCurve(Random& random, KernelNumbers& lanes, std::size_t i) {
     const auto chance = [&] { return random.integer(0, 1) == 0; };
     Curve row;
     row.bounded = lanes.layout().rows[i].bounded;
@@ -72,7 +72,7 @@ void drawCurve(Random& random, IslandNumbers& lanes, std::size_t i) {
 }
 
 /// The axis of a part of a row, and its levers: rows of a joint are independent.
-void drawAxis(Random& random, IslandNumbers& lanes, std::size_t i, std::uint32_t part) {
+void drawAxis(Random& random, KernelNumbers& lanes, std::size_t i, std::uint32_t part) {
     const IslandLayout& layout = lanes.layout();
     const int at = part == 0 ? RowField::AxisX : RowField::SecondAxisX;
     const bool isSecond = i > 0 && layout.rows[i - 1].link == layout.rows[i].link;
@@ -86,7 +86,7 @@ void drawAxis(Random& random, IslandNumbers& lanes, std::size_t i, std::uint32_t
 }
 
 /// turns: all bodies can turn; else some cannot.
-void drawNumbers(Random& random, IslandNumbers& lanes, bool allTurn = false) {
+void drawNumbers(Random& random, KernelNumbers& lanes, bool allTurn = false) {
     const IslandLayout& layout = lanes.layout();
     for (std::uint32_t b = 0; b < layout.bodies; ++b) {
         for (int c = 0; c < 3; ++c)
@@ -111,7 +111,7 @@ void drawNumbers(Random& random, IslandNumbers& lanes, bool allTurn = false) {
 
 /// By how much velocities and impulses differ from M u - J^T L = 0, J u + e L = what rows lack; as a share of the
 /// largest.
-double differenceFromDense(IslandNumbers& lanes, const std::vector<double>& wanted) {
+double differenceFromDense(KernelNumbers& lanes, const std::vector<double>& wanted) {
     const DenseRows dense(lanes);
     const Eigen::Index rows = dense.rows.rows(), moved = 3 * static_cast<Eigen::Index>(lanes.layout().moved);
     using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
@@ -153,7 +153,7 @@ std::vector<BlockPlan::Edge> edgesOf(const RandomMachine& machine) {
 
 /// Is the row at a point of the curve in island_curve_wide.h? Up to rounding, and up to the compliance of its stiff
 /// parts.
-bool isOnCurve(IslandNumbers& lanes, std::size_t i, double speed) {
+bool isOnCurve(KernelNumbers& lanes, std::size_t i, double speed) {
     const auto field = [&](int f) { return lanes.row(i, f); };
     const double impulse = field(RowField::Impulse), push = field(RowField::Push), slope = field(RowField::Slope);
     const double low = field(RowField::Low), high = field(RowField::High), target = field(RowField::Target);
@@ -170,7 +170,7 @@ bool isOnCurve(IslandNumbers& lanes, std::size_t i, double speed) {
     return !(isBelow && driven < high - t) && !(isAbove && driven > low + t);
 }
 
-std::vector<double> wantedSpeeds(IslandNumbers& lanes) {
+std::vector<double> wantedSpeeds(KernelNumbers& lanes) {
     std::vector<double> wanted;
     for (std::size_t i = 0; i < lanes.layout().rows.size(); ++i) wanted.push_back(lanes.row(i, RowField::Speed));
     return wanted;
@@ -205,7 +205,7 @@ TEST_CASE("joints of random trees and loops get the impulses of a dense solution
         for (int round = 0; round < 200; ++round) {
             const auto layout = randomMachine(random, kind.most).layout(layouts, kind.allTurn);
             REQUIRE(layout != nullptr);
-            IslandNumbers lanes(layout, 1);
+            KernelNumbers lanes(layout, 1);
             drawNumbers(random, lanes, kind.allTurn);
             const std::vector<double> wanted = wantedSpeeds(lanes);
             CHECK_FALSE(plumb::islandKernel(1).solve(lanes.view));
@@ -224,7 +224,7 @@ TEST_CASE("rows with motors, springs and limits come to rest on their curves", "
         INFO("round " << round);
         const auto layout = randomMachine(random, {.loops = 2, .gears = 1, .someFree = true}).layout(layouts);
         REQUIRE(layout != nullptr);
-        IslandNumbers lanes(layout, 1);
+        KernelNumbers lanes(layout, 1);
         drawNumbers(random, lanes);
         bool changes = true;
         for (int turn = 0; turn < 10 && changes; ++turn) changes = plumb::islandKernel(1).solve(lanes.view);
@@ -247,12 +247,12 @@ TEST_CASE("joint islands that are solved side by side get the bits that each get
     for (int round = 0; round < 60; ++round) {
         const auto layout = randomMachine(random, {.someFree = round % 2 == 1}).layout(layouts);
         REQUIRE(layout != nullptr);
-        std::vector<std::unique_ptr<IslandNumbers>> singles;
+        std::vector<std::unique_ptr<KernelNumbers>> singles;
         for (int i = 0; i < 8; ++i)
-            drawNumbers(random, *singles.emplace_back(std::make_unique<IslandNumbers>(layout, 1)));
-        std::vector<std::unique_ptr<IslandNumbers>> wide;
+            drawNumbers(random, *singles.emplace_back(std::make_unique<KernelNumbers>(layout, 1)));
+        std::vector<std::unique_ptr<KernelNumbers>> wide;
         for (const std::size_t width : widths()) {
-            IslandNumbers& lanes = *wide.emplace_back(std::make_unique<IslandNumbers>(layout, width));
+            KernelNumbers& lanes = *wide.emplace_back(std::make_unique<KernelNumbers>(layout, width));
             for (std::size_t lane = 0; lane < width; ++lane) lanes.take(*singles[lane], lane);
             plumb::islandKernel(static_cast<int>(width)).solve(lanes.view);
         }

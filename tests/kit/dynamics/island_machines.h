@@ -77,9 +77,9 @@ inline RandomMachine randomMachine(Random& random, const MachineParts& most) {
 }
 
 /// The numbers of W islands of one layout, as the kernel takes them.
-class IslandNumbers {
+class KernelNumbers {
 public:
-    IslandNumbers(std::shared_ptr<const IslandLayout> layout, std::size_t width)
+    KernelNumbers(std::shared_ptr<const IslandLayout> layout, std::size_t width)
         : layout_(std::move(layout)), width_(width) {
         const IslandLayout& l = *layout_;
         const std::size_t sizes[] = {l.bodies * std::size_t{BodyField::count},
@@ -91,23 +91,23 @@ public:
         std::size_t total = 0;
         for (const std::size_t size : sizes) total += size * width;
         numbers_.assign(total, 0.0);
-        double** const arrays[] = {&view.body, &view.link, &view.row, &view.joint, &view.block, &view.answer};
+        double** const arrays[] = {&view.body, &view.link, &view.row, &view.joint, &view.block, &view.solution};
         double* at = numbers_.data();
         for (std::size_t i = 0; i < std::size(sizes); at += sizes[i] * width, ++i) *arrays[i] = at;
         setShape(l);
     }
-    IslandNumbers(const IslandNumbers&) = delete;
-    IslandNumbers& operator=(const IslandNumbers&) = delete;
+    KernelNumbers(const KernelNumbers&) = delete;
+    KernelNumbers& operator=(const KernelNumbers&) = delete;
 
     const IslandLayout& layout() const { return *layout_; }
     double& body(std::size_t i, int field) { return view.body[(i * BodyField::count + at(field)) * width_]; }
     double& row(std::size_t i, int field) { return view.row[(i * RowField::count + at(field)) * width_]; }
 
     /// Of one lane; the others have only one.
-    void take(const IslandNumbers& single, std::size_t lane) {
+    void take(const KernelNumbers& single, std::size_t lane) {
         for (std::size_t k = 0; k < single.numbers_.size(); ++k) numbers_[k * width_ + lane] = single.numbers_[k];
     }
-    bool hasBitsOf(const IslandNumbers& single, std::size_t lane) const {
+    bool hasBitsOf(const KernelNumbers& single, std::size_t lane) const {
         for (std::size_t k = 0; k < single.numbers_.size(); ++k)
             if (std::memcmp(&numbers_[k * width_ + lane], &single.numbers_[k], sizeof(double)) != 0) return false;
         return true;
@@ -151,7 +151,7 @@ struct DenseRows {
     Eigen::MatrixXd rows;
     Eigen::VectorXd inverseMass, before;
 
-    explicit DenseRows(IslandNumbers& lanes) {
+    explicit DenseRows(KernelNumbers& lanes) {
         const IslandLayout& layout = lanes.layout();
         const auto size = 3 * static_cast<Eigen::Index>(layout.bodies);
         rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(layout.rows.size()), size);
@@ -167,17 +167,17 @@ struct DenseRows {
             inverseMass[3 * b + 2] = inertia > 0 ? 1 / inertia : 0;
         }
     }
-    Eigen::VectorXd after(IslandNumbers& lanes) const {
+    Eigen::VectorXd after(KernelNumbers& lanes) const {
         Eigen::VectorXd u(before.size());
         for (Eigen::Index i = 0; i < u.size(); ++i)
             u[i] = lanes.body(static_cast<std::size_t>(i / 3), BodyField::Ux + static_cast<int>(i % 3));
         return u;
     }
-    double speedAfter(IslandNumbers& lanes, std::size_t row) const {
+    double speedAfter(KernelNumbers& lanes, std::size_t row) const {
         return rows.row(static_cast<Eigen::Index>(row)).dot(after(lanes));
     }
     /// Of u = M^-1 J^T L, as a share of the largest.
-    double velocityError(IslandNumbers& lanes) const {
+    double velocityError(KernelNumbers& lanes) const {
         Eigen::VectorXd impulses(rows.rows());
         for (Eigen::Index r = 0; r < rows.rows(); ++r)
             impulses[r] = lanes.row(static_cast<std::size_t>(r), RowField::Impulse);
@@ -187,7 +187,7 @@ struct DenseRows {
     double inverseMassOf(Eigen::Index row) const { return rows.row(row).cwiseAbs2().dot(inverseMass.transpose()); }
 
 private:
-    void addPart(IslandNumbers& lanes, std::size_t i, std::uint32_t part) {
+    void addPart(KernelNumbers& lanes, std::size_t i, std::uint32_t part) {
         const IslandLayout::Link& link = lanes.layout().links[lanes.layout().rows[i].link + part];
         const int axis = part == 0 ? RowField::AxisX : RowField::SecondAxisX;
         const auto r = static_cast<Eigen::Index>(i);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <plumb/dynamics/edit/edits.h>
-#include <plumb/dynamics/joints/joint_bodies.h>
+#include <plumb/dynamics/joints/joint_store.h>
 
 namespace plumb {
 

@@ -2,7 +2,7 @@
 // Which bodies are connected with a body by a touching contact or a joint, and so are in the same island?
 #pragma once
 #include <plumb/dynamics/contacts/contact_store.h>
-#include <plumb/dynamics/joints/joint_bodies.h>
+#include <plumb/dynamics/joints/joint_store.h>
 
 namespace plumb {
 

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include <plumb/dynamics/islands/neighbours.h>
-#include <plumb/dynamics/joints/joint_bodies.h>
-#include <plumb/dynamics/joints/running_motor.h>
 
 namespace plumb {
 

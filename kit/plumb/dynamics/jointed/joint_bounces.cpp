@@ -9,6 +9,7 @@
 #include <plumb/dynamics/bodies/body_groups.h>
 #include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/joints/joint_response.h>
+#include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
 

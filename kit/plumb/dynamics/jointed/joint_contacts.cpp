@@ -32,14 +32,16 @@ void setMasses(BodyStore& bodies, const JointedContacts& jointed, const std::vec
 template <class Visit>
 void forEachChanged(const JointedContacts& jointed, Visit&& visit) {
     for (const JointedContact& one : jointed.some)
-        if (one.batch->hasChanged(one.lane)) visit(one, ContactSlot(jointed.graph, jointed.contacts[one.contact]));
+        if (one.batch->contacts.hasChanged(one.lane))
+            visit(one, ContactSlot(jointed.graph, jointed.contacts[one.contact]));
 }
 
 /// Returns true if an island has changed. If none can, the loads are noted at once, while the numbers are at hand.
-bool solveAgain(const JointStores& stores, const JointHalf& half, bool mayChange) {
+bool respondToContacts(const JointStores& stores, const JointHalf& half, bool mayChange) {
     bool changed = false;
     for (JointBatch& batch : batchesOf(stores)) {
-        changed = batch.solveAgain(stores.bodies, turnOf(stores, half)) || changed;
+        const LaneFlags touched = batch.respondToContacts(stores.bodies, turnOf(stores, half));
+        changed = batch.contacts.findChanged(batch.numbers, stores.bodies, touched) || changed;
         if (!mayChange) batch.note(stores.observer);
     }
     return changed;
@@ -50,12 +52,12 @@ void takeBack(const JointStores& stores, const JointHalf& half, const JointedCon
     forEachChanged(jointed, [&](const JointedContact& one, const ContactSlot& slot) {
         takeBackLane(slot.batch, slot.lane, bodies, one.start);
     });
-    for (JointBatch& batch : batchesOf(stores)) batch.answerContacts(stores.bodies, turnOf(stores, half));
+    for (JointBatch& batch : batchesOf(stores)) batch.respondToContacts(stores.bodies, turnOf(stores, half));
 }
 
 void solveContactsAgain(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed) {
     std::vector<ContactBody> changed;
-    for (JointBatch& batch : batchesOf(stores)) batch.findChangedBodies(stores.bodies, changed);
+    for (JointBatch& batch : batchesOf(stores)) batch.contacts.findChangedBodies(batch.numbers, stores.bodies, changed);
     setMasses(stores.bodies, jointed, changed);
     const SolverBodies bodies = stores.bodies.solverBodies();
     forEachChanged(jointed, [&](const JointedContact& one, const ContactSlot& slot) {
@@ -72,21 +74,23 @@ void solveContactsAgain(const JointStores& stores, const JointHalf& half, const 
 void findJointedContacts(const JointStores& stores, JointedContacts& jointed) {
     jointed.some.clear();
     for (const JointIsland& island : stores.islands.islands) {
-        if (island.isSwept() || !island.batch->mayChange(island.lane)) continue;
+        if (island.isSwept() || !mayChange(island.batch->numbers, island.lane)) continue;
         for (std::size_t node = 0; node < island.bodies.size(); ++node)
             forEachContact(stores.bodies, jointed.contacts, island.bodies[node], [&](ContactIndex index) {
                 const ContactRecord& contact = jointed.contacts[index];
                 if (!contact.isSolved()) return;
                 jointed.some.push_back({island.batch, island.lane, index, {}});
                 const double sign = contact.bodyB == island.bodies[node] ? 1 : -1;
-                island.batch->addNormal(island.lane, node, sign * ContactSlot(jointed.graph, contact).normal());
+                addNormal(island.batch->numbers, island.lane, node,
+                          sign * ContactSlot(jointed.graph, contact).normal());
             });
     }
 }
 
 void startContacts(const JointStores& stores, const JointHalf& half, JointedContacts& jointed) {
     std::vector<ContactBody> seen;
-    for (JointBatch& batch : batchesOf(stores)) batch.findContactBodies(stores.bodies, half.isFirst, seen);
+    for (JointBatch& batch : batchesOf(stores))
+        batch.contacts.findBodies(batch.numbers, stores.bodies, half.isFirst, seen);
     setMasses(stores.bodies, jointed, seen);
     for (JointedContact& one : jointed.some) {
         const ContactSlot slot(jointed.graph, jointed.contacts[one.contact]);
@@ -97,8 +101,8 @@ void startContacts(const JointStores& stores, const JointHalf& half, JointedCont
 void answerContacts(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed) {
     constexpr int mostRounds = 3;  // in the last one no stop counts: contacts give too little rather than too much
     const bool mayChange = !jointed.some.empty();
-    for (int round = 1; solveAgain(stores, half, mayChange) && round <= mostRounds; ++round) {
-        for (JointBatch& batch : batchesOf(stores)) batch.noteBearing(round < mostRounds);
+    for (int round = 1; respondToContacts(stores, half, mayChange) && round <= mostRounds; ++round) {
+        for (JointBatch& batch : batchesOf(stores)) batch.contacts.noteLoadedStops(batch.numbers, round < mostRounds);
         takeBack(stores, half, jointed);
         solveContactsAgain(stores, half, jointed);
     }

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include <plumb/dynamics/jointed/joint_bounces.h>
-#include <plumb/dynamics/joints/find_islands.h>
-#include <plumb/dynamics/joints/joint_bodies.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/joints/joint_measure.h>
 #include <plumb/dynamics/joints/joint_springs.h>
+#include <plumb/dynamics/joints/joint_store.h>
 
 namespace plumb {
 
@@ -37,6 +37,7 @@ void resetLoads(JointStore& joints, const BodyStore& bodies) {
     }
 }
 
+/// The hinges' impulses go to their records first: so a hinge that gets another place in a sweep keeps its first guess.
 void findAwakeIslands(const JointStores& stores) {
     JointStore& joints = stores.joints;
     JointIslands& found = stores.islands;
@@ -155,6 +156,9 @@ std::vector<std::span<JointIsland*>> cutBatches(const JointStores& stores, std::
     return batches;
 }
 
+/// Batches that meet no contact come last: they go through the whole step one after the other, while their numbers are
+/// in the cache. Batches that are not needed are kept, with the room for their numbers: how many there are changes from
+/// step to step.
 void loadBatches(const JointStores& stores, double dt, bool mayFly) {
     JointIslands& found = stores.islands;
     const double h = dt / stores.settings.subSteps;
@@ -175,25 +179,21 @@ void loadBatches(const JointStores& stores, double dt, bool mayFly) {
     }
 }
 
-void kickBatch(const JointStores& stores, JointBatch& batch, const JointHalf& half) {
-    batch.pull(stores.bodies);
-    if (half.correct) batch.noteSpeeds();
-    batch.kick(stores.bodies);
-}
-
+/// Fields act next, on the records: so they must see the free velocities.
 void kickBatches(const JointStores& stores, const JointHalf& half) {
     for (JointBatch& batch : batchesOf(stores)) {
-        kickBatch(stores, batch, half);
-        batch.writeFree(stores.bodies);
+        batch.kick(stores.bodies, half.correct);
+        writeVelocities(batch.numbers, stores.bodies, BodyField::FreeX);
     }
 }
 
 void flyBatch(const JointStores& stores, JointBatch& batch, const JointHalf& half) {
-    kickBatch(stores, batch, half);
+    batch.kick(stores.bodies, half.correct);
     batch.solve(stores.bodies, turnOf(stores, half));
     batch.note(stores.observer);
 }
 
+/// The bodies of swept islands have been moved by their records.
 void moveBatches(const JointStores& stores, std::span<JointBatch> batches, double h) {
     for (JointBatch& batch : batches) batch.move(stores.bodies, h, stores.settings.contactPushSpeed, stores.observer);
     for (JointBatch& batch : stores.islands.sweptBatches) batch.noteMoves();
@@ -219,24 +219,26 @@ void sweepHinges(const JointStores& stores, JointIsland& island, const JointHalf
     island.hinges.solve(hingeSolver(stores.settings.lanes), stores.bodies.solverBodies(), hingePassOf(stores, half));
 }
 
+/// Other joints than hinges get the same softness. Where a soft hinge takes back a part of its old impulse, their rows
+/// have a compliance.
 void sweepJoint(const JointStores& stores, JointBatch& batch, const JointHalf& half) {
     IslandTurn turn = turnOf(stores, half);
-    double give = 0;
+    double compliance = 0;
     if (half.correct) {
         const Softness soft = hingePassOf(stores, half).soft;
         turn.share = static_cast<double>(soft.biasRate) * half.step;
-        give = static_cast<double>(soft.impulseScale / soft.massScale);
+        compliance = static_cast<double>(soft.impulseScale / soft.massScale);
     }
-    batch.sweep(stores.bodies, turn, give, stores.observer);
+    batch.sweep(stores.bodies, turn, compliance, stores.observer);
 }
 
 void solveJoints(const JointStores& stores, const JointHalf& half, bool kicked) {
     const IslandTurn turn = turnOf(stores, half);
     for (JointBatch& batch : batchesOf(stores)) {
         if (kicked)
-            batch.pullFree(stores.bodies);
+            pullVelocities(batch.numbers, stores.bodies, BodyField::FreeX);
         else
-            kickBatch(stores, batch, half);
+            batch.kick(stores.bodies, half.correct);
         batch.solve(stores.bodies, turn);
     }
     for (JointIsland& island : stores.islands.islands)
@@ -257,57 +259,36 @@ void storeBatches(const JointStores& stores, std::vector<std::pair<BodyIndex, Bo
         for (std::size_t lane = 0; lane < batch.islands().size(); ++lane) {
             const std::vector<BodyIndex>& bodies = batch.islands()[lane]->bodies;
             for (std::size_t node = 0; node < bodies.size(); ++node)
-                moves.emplace_back(bodies[node], batch.moveOf(lane, node));
+                moves.emplace_back(bodies[node], moveOf(batch.numbers, node, lane));
         }
     }
     for (JointBatch& batch : stores.islands.sweptBatches) batch.store(stores.joints, stores.bodies);
     for (const JointIsland& island : stores.islands.islands) island.hinges.addLoads(stores.joints);
 }
 
+/// Reports only what came through joints from fixed bodies: the impulse itself is taken off again.
 void pushJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse) {
     reportGround(stores, island.bodies, [&] {
-        island.batch->pull(stores.bodies, island.lane, true);
+        pullMoves(island.batch->numbers, stores.bodies, island.lane);
         island.batch->push(stores.bodies, island.lane, island.nodeOf(body), impulse);
         island.batch->addLoads(island.lane);
     });
     if (stores.observer != nullptr) stores.observer->noteGround(-Vec2(impulse[0], impulse[1]));
 }
 
-void holdIsland(const JointStores& stores, JointIsland& island, double h) {
-    island.batch->pull(stores.bodies, island.lane, true);
+void closeGapsOf(const JointStores& stores, JointIsland& island, double h) {
+    pullMoves(island.batch->numbers, stores.bodies, island.lane);
     reportGround(stores, island.bodies,
-                 [&] { island.batch->hold(stores.bodies, island.lane, h, stores.settings.contactPushSpeed); });
+                 [&] { island.batch->closeGaps(stores.bodies, island.lane, h, stores.settings.contactPushSpeed); });
 }
 
-Vec3 answerOfJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse) {
-    island.batch->pull(stores.bodies, island.lane, true);
-    return island.batch->answer(island.lane, island.nodeOf(body), impulse);
+Vec3 responseOf(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse) {
+    pullMoves(island.batch->numbers, stores.bodies, island.lane);
+    return island.batch->responseTo(island.lane, island.nodeOf(body), impulse);
 }
 
 double openingOf(const JointIsland& island) {
-    return island.batch->opening(island.lane);
-}
-
-double springEnergyOf(const SpringLoad& load) {
-    double squares = 0, energy = 0, stiffness = 0;
-    for (std::size_t r = 0; r < load.count; ++r) {
-        const SpringLoad::Row& row = load.row[r];
-        energy += 0.5 * row.stiffness * row.stretch * row.stretch;
-        squares += row.stretch * row.stretch;
-        stiffness = row.stiffness;
-    }
-    const double stretch = std::sqrt(squares);
-    if (stiffness * stretch <= load.mostForce) return energy;
-    return load.mostForce * (stretch - 0.5 * load.mostForce / stiffness);  // its force is limited to mostForce
-}
-
-double springEnergy(const JointStore& joints, const BodyStore& bodies) {
-    double energy = 0;
-    const auto inRange = [&](BodyIndex body) { return isInRange(bodies.motion[body]); };
-    for (JointIndex joint = 0; joint < joints.records.size(); ++joint)
-        if (joints.hasSpring(joint) && inRange(joints[joint].bodyA) && inRange(joints[joint].bodyB))
-            energy += springEnergyOf(springLoadOf(joints.formOf(joint), bodies));
-    return energy;
+    return island.batch->numbers.openingOf(island.lane);
 }
 
 }  // namespace
@@ -324,9 +305,9 @@ const JointPhases jointPhases{.prepare = prepareJoints,
                               .startContacts = startContacts,
                               .answerContacts = answerContacts,
                               .push = pushJointed,
-                              .answer = answerOfJointed,
+                              .answer = responseOf,
                               .opening = openingOf,
-                              .hold = holdIsland,
+                              .hold = closeGapsOf,
                               .store = storeBatches,
                               .springEnergy = springEnergy};
 

@@ -26,7 +26,7 @@ struct JointPhases {
     void (*prepare)(const JointStores& stores, double dt);
     /// Takes the islands into their lanes. mayFly: those that have no contacts go into batches of their own.
     void (*load)(const JointStores& stores, double dt, bool mayFly);
-    /// Half a sub-step of a batch whose islands have no contacts (see joint_half.h). Other calls leave it out.
+    /// Half a sub-step of a batch whose islands have no contacts (see joint_islands.h). Other calls leave it out.
     void (*fly)(const JointStores& stores, JointBatch& batch, const JointHalf& half);
     /// Takes in what others have done to the bodies in lanes, and lets the forces of half a sub-step act on them.
     void (*kick)(const JointStores& stores, const JointHalf& half);

@@ -35,7 +35,18 @@ struct End {
 };
 
 /// The end at the state after the last step.
-End endAtRest(const Anchor& anchor, const BodyStore& bodies);
+inline End endAtRest(const Anchor& anchor, const BodyStore& bodies) {
+    const BodyMotion& motion = bodies.motion[anchor.body];
+    End end;
+    end.body = anchor.body;
+    end.rotation = motion.rotation;
+    end.arm = motion.rotation * anchor.local;
+    end.point = motion.center + end.arm + anchor.shift;
+    end.angle = motion.angle;
+    end.velocity = motion.velocity;
+    end.spin = motion.angularVelocity;
+    return end;
+}
 
 /// Both ends of a joint.
 struct Ends {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does a joint connect, and which conditions does it set? The answer is data, so that one piece of code solves
+// What does a joint connect, and which conditions does it set? It is data, so that one piece of code solves
 // every kind of joint, and several joints of the same kind at a time.
 #pragma once
 #include <algorithm>
@@ -36,6 +36,9 @@ struct RowForm {
 
     bool isSpring() const { return spring.stiffness > 0 || spring.damping > 0; }
 };
+
+/// The part of its curve on which a row was last (see lanes/island_curve_wide.h).
+enum class RowState : std::uint8_t { AtTarget, AtLow, AtHigh, AtLowerStop, AtUpperStop };
 
 /// A gear and a pulley have two links, and one row: the sum of the first link's coordinate and ratio times the
 /// second's.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How does an impulse in a joint change the velocities of its bodies?
 #pragma once
-#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/bodies/body_store.h>
+#include <plumb/math/detail/vec3.h>
 
 namespace plumb {
 

@@ -57,6 +57,19 @@ void shareAmong(const std::vector<JointIsland*>& islands, JointStore& store, con
     });
 }
 
+double springEnergyOf(const SpringLoad& load) {
+    double squares = 0, energy = 0, stiffness = 0;
+    for (std::size_t r = 0; r < load.count; ++r) {
+        const SpringLoad::Row& row = load.row[r];
+        energy += 0.5 * row.stiffness * row.stretch * row.stretch;
+        squares += row.stretch * row.stretch;
+        stiffness = row.stiffness;
+    }
+    const double stretch = std::sqrt(squares);
+    if (stiffness * stretch <= load.mostForce) return energy;
+    return load.mostForce * (stretch - 0.5 * load.mostForce / stiffness);  // its force is limited to mostForce
+}
+
 }  // namespace
 
 void shareSprings(JointIslands& found, JointStore& store, const BodyStore& bodies, double h) {
@@ -69,6 +82,15 @@ void shareSprings(JointIslands& found, JointStore& store, const BodyStore& bodie
     for (JointIsland& island : found.swept)
         if (!island.sprung.empty()) islands.push_back(&island);
     if (!islands.empty()) shareAmong(islands, store, bodies, h);
+}
+
+double springEnergy(const JointStore& joints, const BodyStore& bodies) {
+    double energy = 0;
+    const auto inRange = [&](BodyIndex body) { return isInRange(bodies.motion[body]); };
+    for (JointIndex joint = 0; joint < joints.records.size(); ++joint)
+        if (joints.hasSpring(joint) && inRange(joints[joint].bodyA) && inRange(joints[joint].bodyB))
+            energy += springEnergyOf(springLoadOf(joints.formOf(joint), bodies));
+    return energy;
 }
 
 }  // namespace plumb

@@ -20,4 +20,7 @@ namespace plumb {
 /// At the start of a step, for sub-steps of h [s]: finds the share F(q) / q of the springs' stiffness.
 void shareSprings(JointIslands& found, JointStore& store, const BodyStore& bodies, double h);
 
+/// What all springs between bodies in range hold [J].
+double springEnergy(const JointStore& joints, const BodyStore& bodies);
+
 }  // namespace plumb

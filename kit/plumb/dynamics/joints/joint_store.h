@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Which joints does the world have, and which data is kept for each?
+// Which joints does the world have, which data is kept for each, and on which bodies do they act?
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <type_traits>
 #include <variant>
 #include <vector>
 
-#include <plumb/dynamics/joints/joint_rows.h>
 #include <plumb/dynamics/joints/kinds/distance_joint.h>
 #include <plumb/dynamics/joints/kinds/filter_joint.h>
 #include <plumb/dynamics/joints/kinds/gear_joint.h>
@@ -18,6 +19,7 @@
 #include <plumb/dynamics/joints/kinds/target_joint.h>
 #include <plumb/dynamics/joints/kinds/weld_joint.h>
 #include <plumb/dynamics/joints/kinds/wheel_joint.h>
+#include <plumb/math/detail/vec3.h>
 
 namespace plumb {
 
@@ -104,5 +106,39 @@ struct JointStore {
 AnyJoint makeJoint(const JointDef& def, const JointStore& joints, const BodyStore& bodies);
 /// Gives a joint another definition of its kind.
 void changeJoint(AnyJoint& joint, const JointDef& def, const JointStore& joints, const BodyStore& bodies);
+
+/// The bodies of a joint, in the order of its rows' ends: two, or up to four of a gear. noBody where there is none; one
+/// body may occur twice.
+inline std::array<BodyIndex, maxEnds> endsOf(const JointStore& joints, JointIndex index) {
+    const JointRecord& record = joints[index];
+    const auto* gear = std::get_if<GearJoint>(&record.joint);
+    if (gear == nullptr) return {record.bodyA, record.bodyB, noBody, noBody};
+    return {record.bodyA, record.bodyB, joints[gear->jointA].bodyA, joints[gear->jointB].bodyA};
+}
+
+/// Calls visit(body) for each of them once.
+template <class Visit>
+void forEachBody(const JointStore& joints, JointIndex index, Visit&& visit) {
+    const std::array<BodyIndex, maxEnds> ends = endsOf(joints, index);
+    for (auto end = ends.begin(); end != ends.end(); ++end)
+        if (*end != noBody && std::find(ends.begin(), end, *end) == end) visit(*end);
+}
+
+/// Does the joint have a body that it can move, and are all its bodies in the valid range of positions?
+inline bool holdsSomething(const JointStore& joints, const BodyStore& bodies, JointIndex index) {
+    const std::array<BodyIndex, maxEnds> ends = endsOf(joints, index);
+    return std::any_of(ends.begin(), ends.end(), [&](BodyIndex body) { return bodies.canMove(body); }) &&
+           std::all_of(ends.begin(), ends.end(), [&](BodyIndex body) { return isInRange(bodies.motion[body]); });
+}
+
+/// Does something that should move at a speed follow it? It does at half of that speed, and at enough.
+inline bool follows(double speed, double wanted, double enough) {
+    const double along = wanted < 0 ? -speed : speed;
+    return wanted != 0 && along > std::min(0.5 * std::fabs(wanted), enough);
+}
+
+/// Has the joint a motor with a target speed, and does it move its body that way? It does not if something stops it.
+/// enough: the speed at which it runs, even if it is slow for its target [m/s or rad/s].
+bool isMotorRunning(const JointStore& joints, const BodyStore& bodies, JointIndex joint, double enough);
 
 }  // namespace plumb

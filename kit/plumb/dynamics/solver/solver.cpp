@@ -10,7 +10,6 @@
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 #include <plumb/dynamics/fields/field_phases.h>
-#include <plumb/dynamics/jointed/joint_half.h>
 #include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/loads/load_paths.h>
 #include <plumb/dynamics/meetings/wall_impact.h>

@@ -11,11 +11,33 @@ class DistanceJoint {
 public:
     AnchorPair anchors;
 
-    DistanceJoint(const DistanceJointDef& def, const BodyStore& bodies);
+    DistanceJoint(const DistanceJointDef& def, const BodyStore& bodies)
+        : anchors{anchorAt(def.bodyA.index, def.anchorA, bodies),
+                  anchorAt(def.bodyB.index, bodies.near(def.anchorB, def.anchorA), bodies)},
+          def_(def),
+          apart_((bodies.near(def.anchorB, def.anchorA) - def.anchorA).norm()),
+          length_(def.length.value_or(apart_)) {}
 
     const DistanceJointDef& def() const { return def_; }
-    void set(const DistanceJointDef& def);
-    JointForm form() const;
+    void set(const DistanceJointDef& def) {
+        def_ = def;
+        length_ = def.length.value_or(apart_);
+    }
+    JointForm form() const {
+        JointForm form(anchors);
+        form.measured = {.axis = RowAxis::Along};
+        if (!def_.spring) {
+            form.add(RowAxis::Along).origin = length_;
+            return form;
+        }
+        RowForm& stretching = form.addFree(RowAxis::Along);
+        stretching.speed = def_.motorSpeed;
+        stretching.maxForce = def_.maxMotorForce;
+        if (def_.minLength > 0 || def_.maxLength < unlimited) stretching.limit = {def_.minLength, def_.maxLength};
+        stretching.spring = *def_.spring;
+        stretching.springRest = length_;
+        return form;
+    }
 
 private:
     DistanceJointDef def_;

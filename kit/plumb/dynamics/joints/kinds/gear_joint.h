@@ -21,7 +21,18 @@ public:
         total_ = a + def.ratio * b;
     }
     /// a, b: of the two joints.
-    JointForm form(const JointForm& a, const JointForm& b) const;
+    JointForm form(const JointForm& a, const JointForm& b) const {
+        JointForm form = a.ofCoordinate();
+        form.links = 2;
+        form.link[1] = b.link[0];
+        form.secondAxis = b.measured.axis;
+        form.secondDirection = b.measured.direction;
+        form.ratio = def_.ratio;
+        form.measured.origin += def_.ratio * b.measured.origin;
+        form.row[0].origin = form.measured.origin + total_;
+        form.turnsOnly = true;
+        return form;
+    }
 
 private:
     GearJointDef def_;

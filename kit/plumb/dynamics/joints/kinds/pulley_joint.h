@@ -12,11 +12,29 @@ class PulleyJoint {
 public:
     AnchorPair anchors;
 
-    PulleyJoint(const PulleyJointDef& def, const BodyStore& bodies);
+    PulleyJoint(const PulleyJointDef& def, const BodyStore& bodies)
+        : anchors{anchorAt(def.bodyA.index, bodies.near(def.anchorA, def.groundA), bodies),
+                  anchorAt(def.bodyB.index, bodies.near(def.anchorB, def.groundB), bodies)},
+          startA_((bodies.near(def.anchorA, def.groundA) - def.groundA).norm()),
+          startB_((bodies.near(def.anchorB, def.groundB) - def.groundB).norm()) {
+        set(def);
+    }
 
     const PulleyJointDef& def() const { return def_; }
-    void set(const PulleyJointDef& def);
-    JointForm form() const;
+    void set(const PulleyJointDef& def) {
+        def_ = def;
+        length_ = startA_ + def.ratio * startB_;
+    }
+    JointForm form() const {
+        JointForm form({{def_.groundA, noBody, {0, 0}}, anchors.a});
+        form.links = 2;
+        form.link[1] = {{def_.groundB, noBody, {0, 0}}, anchors.b};
+        form.secondAxis = RowAxis::Along;
+        form.ratio = def_.ratio;
+        form.measured = form.addFree(RowAxis::Along);
+        form.row[0].limit.upper = length_;
+        return form;
+    }
 
 private:
     PulleyJointDef def_;

@@ -11,11 +11,28 @@ class WeldJoint {
 public:
     AnchorPair anchors;
 
-    WeldJoint(const WeldJointDef& def, const BodyStore& bodies);
+    WeldJoint(const WeldJointDef& def, const BodyStore& bodies)
+        : anchors{anchorAt(def.bodyA.index, def.anchor, bodies), anchorAt(def.bodyB.index, def.anchor, bodies)},
+          def_(def),
+          reference_(bodies.motion[anchors.b.body].angle - bodies.motion[anchors.a.body].angle) {}
 
     const WeldJointDef& def() const { return def_; }
     void set(const WeldJointDef& def) { def_ = def; }
-    JointForm form() const;
+    JointForm form() const {
+        JointForm form(anchors);
+        form.measured = {.axis = RowAxis::Turning, .origin = reference_};
+        if (!def_.spring) form.holdPoint();
+        for (const int axis : {0, 1})
+            if (def_.spring) form.addFree(RowAxis::World, Vec2::Unit(axis)).spring = *def_.spring;
+        if (def_.bending) {
+            RowForm& turning = form.addFree(RowAxis::Turning);
+            turning.origin = reference_;
+            turning.spring = *def_.bending;
+        } else {
+            form.add(RowAxis::Turning).origin = reference_;
+        }
+        return form;
+    }
 
 private:
     WeldJointDef def_;

@@ -92,15 +92,15 @@ struct RowCurve {
         const D state = row[R::State], push = row[R::Push], slope = row[R::Slope], w = row[R::InverseMass];
         const D rigid = compliance * w, low = row[R::Low], high = row[R::High];
         const auto isSoft = slope > D{};
-        const D give = anyOf<W>(isSoft) ? 1.0 / (isSoft ? slope : all(1)) : D{};
+        const D soft = anyOf<W>(isSoft) ? 1.0 / (isSoft ? slope : all(1)) : D{};
         const D bound = state == all(atHigh) ? high : low;
         if (bounded) {
             const D clamped = state == all(atTarget) ? smaller(larger(push, low), high) : bound;
             const auto solved = both(state == all(atTarget), isSoft);
-            return {solved ? push * give : D{}, solved ? give : all(notSolved), solved ? D{} : clamped};
+            return {solved ? push * soft : D{}, solved ? soft : all(notSolved), solved ? D{} : clamped};
         }
         const D pushed = push + bound;
-        Equation e{isSoft ? pushed * give : D{}, isSoft ? give : all(notSolved), isSoft ? D{} : pushed};
+        Equation e{isSoft ? pushed * soft : D{}, isSoft ? soft : all(notSolved), isSoft ? D{} : pushed};
         const auto isRigid = either(state == all(atTarget), state > all(atHigh));
         const D stop = state == all(atLowerStop) ? row[R::LowerStop] : row[R::UpperStop];
         e.speed = isRigid ? (state == all(atTarget) ? row[R::Target] : stop) : e.speed;

@@ -51,7 +51,9 @@ struct Elimination : IslandItems<W> {
     static constexpr D all(double value) { return D{} + value; }
 
     static S blockOf(const IslandLanes& v, std::uint32_t i) { return {v.block + i * std::size_t{9} * S::N}; }
-    static S answerOf(const IslandLanes& v, std::uint32_t node) { return {v.answer + node * std::size_t{3} * S::N}; }
+    static S solutionOf(const IslandLanes& v, std::uint32_t node) {
+        return {v.solution + node * std::size_t{3} * S::N};
+    }
 
     /// A row's speed at the velocities whose first fields are these.
     static D speedOf(const IslandLanes& v, std::uint32_t i, int linear, int spin) {
@@ -126,13 +128,13 @@ struct Elimination : IslandItems<W> {
         v.factored = true;
     }
 
-    /// Calls work(row, answer of its joint, number of the row in the joint).
+    /// Calls work(row, solution of its joint, number of the row in the joint).
     template <class Work>
     [[gnu::always_inline]] static inline void forEachRow(const IslandLanes& v, Work&& work) {
         for (std::uint32_t j = 0; j < v.jointCount; ++j) {
             const std::uint32_t first = v.joints[j].firstRow;
             for (std::uint32_t i = first; i < v.joints[j + 1].firstRow; ++i)
-                work(rowOf(v, i), answerOf(v, v.moved + j), static_cast<int>(i - first));
+                work(rowOf(v, i), solutionOf(v, v.moved + j), static_cast<int>(i - first));
         }
     }
 
@@ -140,11 +142,11 @@ struct Elimination : IslandItems<W> {
     template <class Lacks>
     [[gnu::always_inline]] static inline void substitute(const IslandLanes& v, Lacks&& lacks) {
         for (std::uint32_t i = 0; i < v.moved; ++i)
-            for (int c = 0; c < 3; ++c) answerOf(v, i).set(c, D{});
+            for (int c = 0; c < 3; ++c) solutionOf(v, i).set(c, D{});
         for (std::uint32_t j = 0; j < v.jointCount; ++j) {
             const std::uint32_t first = v.joints[j].firstRow;
             for (std::uint32_t i = first; i < v.joints[j + 1].firstRow; ++i)
-                answerOf(v, v.moved + j)
+                solutionOf(v, v.moved + j)
                     .set(static_cast<int>(i - first), lacks(rowOf(v, i), speedOf(v, i, B::Ux, B::Uspin)));
         }
         substitute(v);
@@ -153,7 +155,7 @@ struct Elimination : IslandItems<W> {
         for (std::uint32_t k = 0; k < v.stepCount; ++k) forward(v, k);
         for (std::uint32_t k = v.stepCount; k-- > 0;) backward(v, k);
         for (std::uint32_t i = 0; i < v.moved; ++i) {
-            const S b = bodyOf(v, i), x = answerOf(v, i);
+            const S b = bodyOf(v, i), x = solutionOf(v, i);
             b.set(B::Ux, b[B::Ux] + x[0]);
             b.set(B::Uy, b[B::Uy] + x[1]);
             b.set(B::Uspin, b[B::Uspin] + x[2]);
@@ -300,14 +302,14 @@ struct Elimination : IslandItems<W> {
     template <int E>
     static void forwardSized(const IslandLanes& v, std::uint32_t k) {
         const IslandShape::Step& step = v.steps[k];
-        const S inverse = blockOf(v, step.node), x = answerOf(v, step.node);
+        const S inverse = blockOf(v, step.node), x = solutionOf(v, step.node);
         D scaled[3];
         for (int i = 0; i < E; ++i) {
             scaled[i] = inverse[3 * i] * x[0];
             for (int c = 1; c < E; ++c) scaled[i] += inverse[3 * i + c] * x[c];
         }
         for (std::uint32_t l = step.firstLower; l < v.steps[k + 1].firstLower; ++l) {
-            const S block = blockOf(v, v.lowers[l].block), y = answerOf(v, v.lowers[l].node);
+            const S block = blockOf(v, v.lowers[l].block), y = solutionOf(v, v.lowers[l].node);
             sized(v.lowers[l].size, [&](auto rows) {
                 for (int i = 0; i < decltype(rows)::value; ++i) {
                     D sum = block[3 * i] * scaled[0];
@@ -325,11 +327,11 @@ struct Elimination : IslandItems<W> {
     template <int E>
     static void backwardSized(const IslandLanes& v, std::uint32_t k) {
         const IslandShape::Step& step = v.steps[k];
-        const S inverse = blockOf(v, step.node), x = answerOf(v, step.node);
+        const S inverse = blockOf(v, step.node), x = solutionOf(v, step.node);
         D right[3];
         for (int c = 0; c < E; ++c) right[c] = x[c];
         for (std::uint32_t l = step.firstLower; l < v.steps[k + 1].firstLower; ++l) {
-            const S block = blockOf(v, v.lowers[l].block), y = answerOf(v, v.lowers[l].node);
+            const S block = blockOf(v, v.lowers[l].block), y = solutionOf(v, v.lowers[l].node);
             sized(v.lowers[l].size, [&](auto rows) {
                 for (int i = 0; i < decltype(rows)::value; ++i)
                     for (int c = 0; c < E; ++c) right[c] -= block[3 * i + c] * y[i];

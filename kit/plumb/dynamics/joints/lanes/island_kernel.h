@@ -123,7 +123,8 @@ struct RowField {
         Growth,      ///< exp(DampedAt) - 1
         DampedAt,    ///< damping, half a sub-step and inverse mass, multiplied
         NotedSpeed,  ///< before the sub-step
-        Bears,       ///< 1: it is at a stop that bears what contacts push; -1: that has opened in this half
+        Loaded,      ///< 1: it is at a stop that is loaded by contacts; -1: that has opened in this half (see
+                     ///< island_contacts.h)
         DriveSpeed,
         DriveRate,
         MostImpulse,
@@ -168,16 +169,16 @@ struct IslandLanes {
     double* link = nullptr;
     double* row = nullptr;
     double* joint = nullptr;
-    double* block = nullptr;    ///< 9 fields each
-    double* answer = nullptr;   ///< of the nodes, 3 fields each
-    double* inverse = nullptr;  ///< of the matrix, where it has blocks; 9 fields each
-    double* active = nullptr;   ///< 1: the lane takes part in this pass
-    double* missed = nullptr;   ///< how far the last prediction was off (see WidePlaces::keepMissed)
-    double* lost = nullptr;     ///< 1: predictions have not come closer
-    double* heavy = nullptr;    ///< 1: dampers act by the speed at the end of each half (see island_curve_wide.h)
-    bool factored = false;      ///< the blocks hold the factors of the present matrix
-    double compliance = 0;      ///< of rows that hold, relative to their inverse mass [-]
-    double slack = 0;           ///< the same, relative to what a joint gives when it is eliminated [-]
+    double* block = nullptr;     ///< 9 fields each
+    double* solution = nullptr;  ///< of the nodes, 3 fields each
+    double* inverse = nullptr;   ///< of the matrix, where it has blocks; 9 fields each
+    double* active = nullptr;    ///< 1: the lane takes part in this pass
+    double* missed = nullptr;    ///< how far the last prediction was off (see WidePlaces::keepMissed)
+    double* lost = nullptr;      ///< 1: predictions have not come closer
+    double* heavy = nullptr;     ///< 1: dampers act by the speed at the end of each half (see island_curve_wide.h)
+    bool factored = false;       ///< the blocks hold the factors of the present matrix
+    double compliance = 0;       ///< of rows that hold, relative to their inverse mass [-]
+    double slack = 0;            ///< the same, relative to what a joint gives when it is eliminated [-]
 };
 
 struct IslandTurn {
@@ -214,9 +215,9 @@ struct IslandKernel {
     /// to another part of its curve; it can do so where a lane is active.
     bool (*solve)(IslandLanes& view);
     /// Solves for U, which is V and the change by a push: rows that hold, or are at a stop, keep their speeds.
-    void (*answer)(IslandLanes& view);
-    /// Finds by how much each body answers to an impulse, if no motor, spring or stop acts.
-    void (*respond)(IslandLanes& view);
+    void (*solvePush)(IslandLanes& view);
+    /// Finds how each body responds to an impulse, if no motor, spring or stop acts.
+    void (*findResponses)(IslandLanes& view);
     /// Where a lane is active: sets V to U; adds the impulses to the loads; notes the stiffness by the forces.
     void (*accept)(const IslandLanes& view);
     void (*addLoads)(const IslandLanes& view);

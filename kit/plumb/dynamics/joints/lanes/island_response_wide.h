@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// By how much does each body of W islands answer to an impulse on it, together with all that its joints move?
+// By how much does each body of W islands respond to an impulse on it, together with all that its joints move?
 //
-// The answer of a body is K f, with f = (x, y, turning): K is its block of the inverse of the island's matrix. All such
-// blocks are found in the time of one factorisation, from the last node to the first: with A = L D L^T and the nodes i,
-// j that are eliminated after k and have a block with it,
+// The response of a body is K f, with f = (x, y, turning): K is its block of the inverse of the island's matrix. All
+// such blocks are found in the time of one factorisation, from the last node to the first: with A = L D L^T and the
+// nodes i, j that are eliminated after k and have a block with it,
 //   Z_ik = - sum_j Z_ij L_jk,   Z_kk = D_k^-1 - sum_i L_ik^T Z_ik,   L_ik = A_ik D_k^-1.
 // Contacts see bodies with a mass m and a moment of inertia J of the same K, so that diag(1/m, 1/m, 1/J) is no less
-// than K in any direction: 1/m = a + b sqrt(a / c), 1/J = c + b sqrt(c / a), where a is the greatest answer to an
+// than K in any direction: 1/m = a + b sqrt(a / c), 1/J = c + b sqrt(c / a), where a is the greatest response to an
 // impulse through the centre of mass, c that to a turning one, and b what connects them.
 // Source: selected inverse: Takahashi, Fagan, Chen, "Formation of a sparse bus impedance matrix", 1973.
 #pragma once
@@ -44,7 +44,7 @@ struct Response : IslandItems<W> {
         }
         for (int c = 0; c < 9; ++c) own.set(c, inverse[c]);
         for (std::uint32_t l = v.steps[k].firstLower; l < v.steps[k + 1].firstLower; ++l)
-            subtractAnswer(own, inverse, Body::blockOf(v, v.lowers[l].block), inverseOf(v, v.lowers[l].block));
+            subtractSolved(own, inverse, Body::blockOf(v, v.lowers[l].block), inverseOf(v, v.lowers[l].block));
     }
 
     /// to -= known L, with L = block inverse.
@@ -59,14 +59,14 @@ struct Response : IslandItems<W> {
                 to.set(3 * i + j, sum);
             }
     }
-    /// own -= L^T answer.
-    static void subtractAnswer(const S& own, const S& inverse, const S& block, const S& answer) {
+    /// own -= L^T solved.
+    static void subtractSolved(const S& own, const S& inverse, const S& block, const S& solved) {
         D l[9];
         multiply(l, block, inverse);
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
                 D sum = own[3 * i + j];
-                for (int c = 0; c < 3; ++c) sum -= l[3 * c + i] * answer[3 * c + j];
+                for (int c = 0; c < 3; ++c) sum -= l[3 * c + i] * solved[3 * c + j];
                 own.set(3 * i + j, sum);
             }
     }

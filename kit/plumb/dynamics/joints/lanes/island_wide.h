@@ -181,7 +181,7 @@ struct WideIslands : IslandItems<W> {
     }
 
     /// Rows keep their present speeds: J U = J V. Rows that do not hold and are not at a stop give nothing.
-    static void answer(IslandLanes& v) {
+    static void solvePush(IslandLanes& v) {
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const S row = rowOf(v, i);
             const D speed = Elimination<W>::speedOf(v, i, B::Vx, B::Spin), rigid = v.compliance * row[R::InverseMass];
@@ -192,7 +192,7 @@ struct WideIslands : IslandItems<W> {
         Elimination<W>::solve(v);
     }
 
-    static void respond(IslandLanes& v) {
+    static void findResponses(IslandLanes& v) {
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const S row = rowOf(v, i);
             const D rigid = v.compliance * row[R::InverseMass], slope = row[R::Slope];
@@ -200,7 +200,7 @@ struct WideIslands : IslandItems<W> {
             if (!v.rows[i].holds) {
                 const auto isSoft = slope > D{};
                 const D soft = isSoft ? 1.0 / (isSoft ? slope : all(1)) : all(Curve::notSolved);
-                compliance = row[R::Bears] > D{} ? rigid : soft;
+                compliance = row[R::Loaded] > D{} ? rigid : soft;
             }
             setEquation(v, row, D{}, compliance, D{});
         }
@@ -246,8 +246,8 @@ template <int W>
 const IslandKernel WideIslandKernel<W>::code{
     WidePlaces<W>::move,           WidePlaces<W>::place,        WidePlaces<W>::noteSpeeds,
     WideIslands<W>::guess,         WideIslands<W>::prepare,     WideIslands<W>::predictAgain,
-    WideIslands<W>::predictHeld,   WideIslands<W>::solve,       WideIslands<W>::answer,
-    WideIslands<W>::respond,       WideIslands<W>::accept,      WideIslands<W>::addLoads,
+    WideIslands<W>::predictHeld,   WideIslands<W>::solve,       WideIslands<W>::solvePush,
+    WideIslands<W>::findResponses, WideIslands<W>::accept,      WideIslands<W>::addLoads,
     WideStiffness<W>::noteForces,  WideStiffness<W>::setMasses, WideIslands<W>::kick,
     WideStiffness<W>::findInertias};
 

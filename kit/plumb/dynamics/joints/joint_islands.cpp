@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/joints/find_islands.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 
 #include <algorithm>
 #include <map>
 
 #include <plumb/dynamics/bodies/body_groups.h>
-#include <plumb/dynamics/joints/joint_bodies.h>
 
 namespace plumb {
 
 namespace {
 
-/// Numbers the bodies of an island, and finds its layout.
+/// Numbers the bodies of an island, and finds its layout. Bodies are numbered in the order in which its joints name
+/// them, and those that impulses do not move after all others: so islands that are built alike get equal numbers, share
+/// a layout, and can be solved side by side.
 class Numbering {
 public:
     Numbering(const JointStore& joints, const BodyStore& bodies)
@@ -57,7 +58,8 @@ private:
     std::vector<std::uint32_t> nodeOf_;
 };
 
-/// The islands that there were.
+/// The islands that there were. One joint that is added or broken makes all islands be found again; those that it does
+/// not touch must not lose their layouts, which are dear, nor their bodies' stiffness, which is known from past steps.
 class IslandsBefore {
 public:
     IslandsBefore(std::vector<JointIsland>&& islands, const JointStore& joints, std::size_t bodies)
@@ -90,6 +92,7 @@ private:
     std::vector<JointIsland::Stiffness> stiffness_;  ///< of each body
 };
 
+/// Groups are in the order of their first islands, not of their layouts' addresses: else runs would differ.
 void groupAlike(JointIslands& found) {
     found.alike.clear();
     std::map<const IslandLayout*, std::size_t> groupOf;
@@ -102,7 +105,8 @@ void groupAlike(JointIslands& found) {
     }
 }
 
-/// Islands with only their joints.
+/// Islands with only their joints. Bodies that impulses do not move connect nothing: two pendulums on one wall are two
+/// islands.
 std::vector<JointIsland> islandsOf(const JointStore& joints, const BodyStore& bodies) {
     BodyGroups groups(bodies.record.size());
     std::vector<JointIndex> awake;
