@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include <plumb/dynamics/bodies/softness.h>
+#include <plumb/collide/lanes/body_place.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 
 namespace plumb {
