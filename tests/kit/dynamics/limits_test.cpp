@@ -30,7 +30,7 @@ World onFlatGround(const plumb::WorldDef& def = {.sleeping = false}) {
     return world;
 }
 
-BodyId addBox(World& world, const Vec2& at, const Vec2& half, double density = 1) {
+BodyId putBox(World& world, const Vec2& at, const Vec2& half, double density = 1) {
     return world.add({.position = at, .shapes = {plumb::box(half, {.density = density})}});
 }
 
@@ -47,9 +47,9 @@ bool isAllowed(const BodyDef& def) {
 /// By how much a slab, a hundred times as heavy as a box, sinks into so many of them [m].
 double slabSinks(int boxes) {
     World world = onFlatGround();
-    for (int i = 0; i < boxes; ++i) addBox(world, {1.5 * i, 0.5}, {0.5, 0.5});
+    for (int i = 0; i < boxes; ++i) putBox(world, {1.5 * i, 0.5}, {0.5, 0.5});
     const double half = 0.75 * boxes;
-    const BodyId slab = addBox(world, {0.75 * (boxes - 1), 1.5}, {half, 0.5}, 100 / (2 * half));
+    const BodyId slab = putBox(world, {0.75 * (boxes - 1), 1.5}, {half, 0.5}, 100 / (2 * half));
     steps(world, 180);
     return 1.5 - world.body(slab).position().y();
 }
@@ -57,8 +57,8 @@ double slabSinks(int boxes) {
 /// By how much a box so many times as heavy as those of a column of boxes of 1 m sinks into it in 5 s [m].
 double boxSinks(int boxes, double ratio) {
     World world = onFlatGround();
-    for (int i = 0; i < boxes; ++i) addBox(world, {0, i + 0.5}, {0.5, 0.5});
-    const BodyId heavy = addBox(world, {0, boxes + 0.5}, {0.5, 0.5}, ratio);
+    for (int i = 0; i < boxes; ++i) putBox(world, {0, i + 0.5}, {0.5, 0.5});
+    const BodyId heavy = putBox(world, {0, boxes + 0.5}, {0.5, 0.5}, ratio);
     steps(world, 300);
     return boxes + 0.5 - world.body(heavy).position().y();
 }
@@ -169,7 +169,7 @@ int stepsToSleep(double speed) {
 bool bearsAt(double depth) {
     World world;
     world.add({.type = BodyType::Static, .shapes = {{.shape = plumb::Segment{{-5, 0}, {5, 0}}, .oneWay = Vec2(0, 1)}}});
-    const BodyId box = addBox(world, {0, 0.5 - depth}, {0.5, 0.5});
+    const BodyId box = putBox(world, {0, 0.5 - depth}, {0.5, 0.5});
     steps(world, 60);
     return world.body(box).position().y() > 0.4;
 }
@@ -202,7 +202,7 @@ bool slidesOver(double height) {
 /// The fastest at which a box comes out of the ground in which it was put [m/s].
 double fastestOut(double depth) {
     World world = onFlatGround({.gravity = {0, 0}, .sleeping = false});
-    const BodyId box = addBox(world, {0, 1 - depth}, {1, 1});
+    const BodyId box = putBox(world, {0, 1 - depth}, {1, 1});
     double fastest = 0;
     for (int tick = 0; tick < 60; ++tick) {
         const double before = world.body(box).position().y();
@@ -215,7 +215,7 @@ double fastestOut(double depth) {
 /// By how much a box sinks into the ground at this number of steps in a second [m].
 double restingDepth(double rate) {
     World world = onFlatGround();
-    const BodyId box = addBox(world, {0, 0.5}, {0.5, 0.5});
+    const BodyId box = putBox(world, {0, 0.5}, {0.5, 0.5});
     plumb::test::run(world, 3, 1 / rate);
     return 0.5 - world.body(box).position().y();
 }
@@ -226,7 +226,7 @@ bool wakesOn(int tile, int gone) {
     for (int column = 0; column < 64; ++column) map.set({column, 0}, {.form = plumb::TileForm::Full});
     World world;
     const BodyId ground = world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map)}});
-    const BodyId box = addBox(world, {tile + 0.5, 1.4}, {0.4, 0.4});
+    const BodyId box = putBox(world, {tile + 0.5, 1.4}, {0.4, 0.4});
     steps(world, 60);
     REQUIRE_FALSE(world.body(box).awake());
     world.setTile(world.body(ground).shapes().front(), {gone, 0}, {});
