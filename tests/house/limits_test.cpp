@@ -95,16 +95,6 @@ std::vector<double> valuesOf(const std::string& name, const std::string& source)
     return values;
 }
 
-/// The names of all tests of some sources.
-std::vector<std::string> testNamesIn(const std::vector<SourceFile>& sources) {
-    static const std::regex test(R"re(\bTEST_CASE\(\s*"((?:[^"\\]|\\.)*)")re");
-    std::vector<std::string> names;
-    for (const SourceFile& source : sources)
-        for (std::sregex_iterator each(source.text.begin(), source.text.end(), test), end; each != end; ++each)
-            names.push_back((*each)[1]);
-    return names;
-}
-
 std::string fileNameOf(const std::string& path) {
     return path.substr(path.rfind('/') + 1);
 }
@@ -190,6 +180,11 @@ TEST_CASE("each constant of the dynamics that is called a limit is on the page o
 TEST_CASE("the page of limits is named by the pages that lead to it", "[house]") {
     CHECK(textOf(kitFolder / "plumb/dynamics/README.md").find("(limits.md)") != std::string::npos);
     CHECK(textOf(kitFolder / "README.md").find("(plumb/dynamics/limits.md)") != std::string::npos);
+}
+
+TEST_CASE("no name of a test has a semicolon, at which CTest's lists would cut it", "[house]") {
+    for (const std::string& name : testNamesIn(sourcesUnder(repository / "tests", repository)))
+        if (name.find(';') != std::string::npos) FAIL_CHECK(name);
 }
 
 TEST_CASE("planted faults on a page of limits are caught", "[house]") {

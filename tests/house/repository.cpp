@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "house/repository.h"
 
+#include <regex>
+
 #include <algorithm>
 #include <sstream>
 
@@ -43,6 +45,15 @@ std::vector<std::filesystem::path> repositoryFiles() {
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
     return files;
+}
+
+std::vector<std::string> testNamesIn(const std::vector<SourceFile>& sources) {
+    static const std::regex test(R"re(\bTEST_CASE\(\s*"((?:[^"\\]|\\.)*)")re");
+    std::vector<std::string> names;
+    for (const SourceFile& source : sources)
+        for (std::sregex_iterator each(source.text.begin(), source.text.end(), test), end; each != end; ++each)
+            names.push_back((*each)[1]);
+    return names;
 }
 
 }  // namespace plumb::test

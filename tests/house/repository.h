@@ -34,4 +34,7 @@ inline std::vector<SourceFile> sourcesUnder(const std::filesystem::path& folder,
     return sources;
 }
 
+/// The names of all tests of some sources, as they are written there.
+std::vector<std::string> testNamesIn(const std::vector<SourceFile>& sources);
+
 }  // namespace plumb::test
