@@ -20,4 +20,15 @@ PairSearch findPairs(BroadPhase method, std::span<const Aabb> boxes) {
     return bvh.countedPairs();
 }
 
+PairSearch bruteForcePairs(std::span<const Aabb> boxes) {
+    PairSearch search;
+    const auto count = static_cast<std::uint32_t>(boxes.size());
+    for (std::uint32_t a = 0; a < count; ++a) {
+        for (std::uint32_t b = a + 1; b < count; ++b)
+            if (overlap(boxes[a], boxes[b])) search.pairs.push_back({a, b});
+        search.tests += count - a - 1;
+    }
+    return search;
+}
+
 }  // namespace plumb

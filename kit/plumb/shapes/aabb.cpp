@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include <plumb/shapes/detail/counts.h>
+#include <plumb/shapes/detail/checks.h>
 
 namespace plumb {
 namespace {

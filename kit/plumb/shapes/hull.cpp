@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <plumb/math/check.h>
-#include <plumb/shapes/detail/hull_outline.h>
+#include <plumb/shapes/detail/hull_points.h>
 #include <plumb/shapes/detail/scaled_points.h>
 
 namespace plumb {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <web/module/all_calls.h>
-#include <web/module/all_rows.h>
+#include <web/module/host.h>
 #include <web/module/schema_hash.h>
 #include <web/runtime/export.h>
 
