@@ -6,6 +6,7 @@
 
 namespace plumb {
 
+/// How far apart two shapes are, and where.
 struct Distance {
     double separation = 0;  ///< negative when they overlap: minus the depth along normal [m]
     Vec2 normal{0, 1};      ///< unit, from A to B

@@ -5,7 +5,6 @@
 
 #include <plumb/math/check.h>
 #include <plumb/shapes/detail/hull_points.h>
-#include <plumb/shapes/detail/scaled_points.h>
 
 namespace plumb {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include <plumb/broad/block_tree.h>
-#include <plumb/broad/detail/slot_pair.h>
+#include <plumb/broad/box_block.h>
 
 namespace plumb {
 

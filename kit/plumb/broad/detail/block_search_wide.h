@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <plumb/broad/box_block.h>
-#include <plumb/broad/detail/slot_pair.h>
 #include <plumb/math/detail/wide_ops.h>
 
 namespace plumb {

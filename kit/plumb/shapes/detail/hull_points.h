@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which points span the convex hull of a shape, or of a set of points?
+// Which points span the convex hull of a shape, or of a set of points, and how are points scaled to numbers near 1?
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -22,5 +24,34 @@ using HullIndices = std::vector<std::size_t>;
 /// equal points, and one point has one. There must be one point or more, and all must be finite. Source: Andrew,
 /// "Another efficient algorithm for convex hulls in two dimensions", 1979.
 HullIndices hullOutline(std::span<const Vec2> points);
+
+/// The smallest edge relative to the diagonal, and the smallest sine of a corner, of polygons that are constructed: a
+/// little more than validate() demands, so that rounding does not make a polygon invalid [-].
+inline constexpr double cornerTolerance = 1.5e-6;
+
+/// Points relative to the first one, times a power of two, so that products of huge or tiny lengths neither overflow
+/// nor underflow.
+inline std::vector<Vec2> scaledPoints(std::span<const Vec2> points) {
+    double largest = 0;
+    for (const Vec2& p : points) largest = std::max({largest, std::fabs(p.x()), std::fabs(p.y())});
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    std::vector<Vec2> scaled;
+    scaled.reserve(points.size());
+    for (const Vec2& p : points) scaled.emplace_back(std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent));
+    const Vec2 first = scaled.front();
+    for (Vec2& p : scaled) p -= first;
+    return scaled;
+}
+
+/// The diagonal of the axis-aligned box around points.
+inline double diagonalOf(const std::vector<Vec2>& points) {
+    Vec2 lower = points.front(), upper = points.front();
+    for (const Vec2& p : points) {
+        lower = lower.cwiseMin(p);
+        upper = upper.cwiseMax(p);
+    }
+    return (upper - lower).norm();
+}
 
 }  // namespace plumb

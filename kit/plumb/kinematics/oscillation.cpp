@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The motions that repeat: on a circle, of a spring, of a pendulum.
+#include <plumb/kinematics/oscillation.h>
+
 #include <cmath>
 #include <numbers>
 
-#include <plumb/kinematics/circular.h>
-#include <plumb/kinematics/oscillation.h>
-#include <plumb/kinematics/pendulum.h>
 #include <plumb/math/check.h>
 #include <plumb/math/trig.h>
 
@@ -54,33 +52,7 @@ UnitStep unitStep(double z, double theta) {
     return z < 1 ? underdamped(z, theta) : overdamped(z, theta);
 }
 
-/// Of two positive numbers, the larger first. Each iteration about doubles the number of digits that the two have in
-/// common.
-double arithmeticGeometricMean(double a, double b) {
-    for (int i = 0; i < 40 && a - b > 1e-8 * a; ++i) {
-        const double mean = 0.5 * (a + b);
-        b = std::sqrt(a * b);
-        a = mean;
-    }
-    return 0.5 * (a + b);
-}
-
 }  // namespace
-
-CircularPoint circularAt(const CircularMotion& motion, double time) {
-    requireFinite(motion.center, "CircularMotion.center");
-    requireNotNegative(motion.radius, "CircularMotion.radius");
-    requireFinite(motion.startAngle, "CircularMotion.startAngle");
-    requireFinite(motion.angularVelocity, "CircularMotion.angularVelocity");
-    requireFinite(time, "time");
-    const double w = motion.angularVelocity;
-    requireFinite(w * time, "CircularMotion.angularVelocity * time");
-    requireFinite(motion.startAngle + w * time, "CircularMotion.startAngle + angularVelocity * time");
-    requireFinite(w * (w * motion.radius), "CircularMotion.angularVelocity^2 * radius");
-    const SinCos angle = sinCos(motion.startAngle + w * time);
-    const Vec2 arm(motion.radius * angle.cos, motion.radius * angle.sin);
-    return {motion.center + arm, w * perp(arm), -w * (w * arm)};
-}
 
 AxisMotion harmonicAt(const HarmonicMotion& motion, double time) {
     requireFinite(motion.amplitude, "HarmonicMotion.amplitude");
@@ -138,21 +110,6 @@ PointMotion oscillate(const PointMotion& from, const Vec2& rest, const Oscillato
     const OscillatorStep step = oscillatorStep(oscillator, time);
     const Vec2 x = from.position - rest;
     return {rest + (step.xx * x + step.xv * from.velocity), step.vx * x + step.vv * from.velocity};
-}
-
-double pendulumPeriod(const Pendulum& pendulum, double amplitude) {
-    requirePositive(pendulum.inertia, "Pendulum", ".inertia");
-    requirePositive(pendulum.mass, "Pendulum", ".mass");
-    requirePositive(pendulum.distance, "Pendulum", ".distance");
-    requirePositive(pendulum.gravity, "Pendulum", ".gravity");
-    requireFinite(amplitude, "pendulumPeriod: amplitude");
-    if (!(std::fabs(amplitude) < std::numbers::pi))
-        refuse("pendulumPeriod: amplitude", toText(amplitude) + " is not between -pi and pi");
-    const double square = pendulum.inertia / pendulum.mass / pendulum.distance / pendulum.gravity;
-    const double small = 2 * std::numbers::pi * std::sqrt(square);
-    const double period = small / arithmeticGeometricMean(1, sinCos(0.5 * std::fabs(amplitude)).cos);
-    requireFinite(period, "pendulumPeriod: period");
-    return period;
 }
 
 }  // namespace plumb
