@@ -7,7 +7,6 @@
 #include <span>
 
 #include <plumb/math/check.h>
-#include <plumb/shapes/detail/checks.h>
 
 namespace plumb {
 

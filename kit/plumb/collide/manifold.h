@@ -1,32 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Where do two shapes touch, or come so near that they may touch in this step?
 #pragma once
-#include <array>
-#include <cstdint>
-
-#include <plumb/collide/convex.h>
-#include <plumb/math/vec2.h>
+#include <plumb/collide/manifold_point.h>
 
 namespace plumb {
-
-/// B's frame relative to A's: rotation, then translation.
-struct RelativePose {
-    Vec2f position{0, 0};  ///< [m]
-    float cos = 1;
-    float sin = 0;
-};
-
-struct ManifoldPoint {
-    Vec2f position{0, 0};       ///< half way between the two surfaces, in A's frame [m]
-    float separation = 0;       ///< along the normal, negative when they overlap [m]
-    std::uint16_t feature = 0;  ///< id of the corners and edges that touch; stable from step to step [-]
-};
-
-struct Manifold {
-    Vec2f normal{0, 1};  ///< unit, from A to B, in A's frame
-    int count = 0;       ///< 0: farther apart than the margin
-    std::array<ManifoldPoint, 2> points;
-};
 
 /// The contact manifold of two convex cores with radii; empty when they are farther apart than margin [m].
 /// Two parallel edges touch in up to two points: the ends of the stretch they share. If the nearest features of

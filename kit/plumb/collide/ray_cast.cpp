@@ -8,7 +8,6 @@
 #include <plumb/collide/distance.h>
 #include <plumb/math/detail/length.h>
 #include <plumb/shapes/chain.h>
-#include <plumb/shapes/detail/checks.h>
 
 namespace plumb {
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <span>
 
-#include <plumb/shapes/detail/checks.h>
-
 namespace plumb {
 namespace {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/shapes/chain.h>
 
-#include <plumb/shapes/detail/checks.h>
 #include <plumb/shapes/tile_pieces.h>
 
 namespace plumb {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <plumb/math/check.h>
-#include <plumb/shapes/detail/hull_points.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 #include <plumb/collide/convex.h>
 #include <plumb/collide/detail/core.h>
-#include <plumb/collide/manifold.h>
+#include <plumb/collide/manifold_point.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb {

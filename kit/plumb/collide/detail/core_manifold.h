@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include <plumb/collide/detail/core.h>
-#include <plumb/collide/manifold.h>
+#include <plumb/collide/manifold_point.h>
 
 namespace plumb {
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <plumb/math/detail/length.h>
-#include <plumb/shapes/detail/checks.h>
 
 namespace plumb {
 

@@ -5,11 +5,12 @@
 #include <cstddef>
 #include <optional>
 
-#include <plumb/collide/distance.h>
 #include <plumb/math/transform.h>
 #include <plumb/shapes/shape.h>
 
 namespace plumb {
+
+struct Distance;
 
 /// Corners with the edges that leave them, and a radius around all.
 struct Outline {

@@ -43,7 +43,7 @@ inline constexpr std::size_t batchRows = offsetof(ContactBatch, bounces) / (size
 /// Where a point is on its shapes. The next step finds the same point again by this.
 struct alignas(64) ManifoldPointLanes {
     Lanes<float> x, y;            ///< in A's frame, from its centre of mass [m]
-    Lanes<std::int32_t> feature;  ///< as in collide/manifold.h
+    Lanes<std::int32_t> feature;  ///< as in collide/manifold_point.h
     /// The mean of the last steps, when the step's length changed last [N].
     Lanes<float> normalForce, tangentForce;
 };

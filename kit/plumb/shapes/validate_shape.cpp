@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/shapes/shape.h>
-
+// Which shapes, masses and tile maps are refused? And the polygon of a box, which refuses its sizes.
 #include <algorithm>
 #include <array>
 #include <cmath>

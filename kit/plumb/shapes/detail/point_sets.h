@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Which points span the convex hull of a shape, or of a set of points, and how are points scaled to numbers near 1?
+// What do hulls, boxes and decompositions ask of points: those of a shape, their hull, their scale, their triangles?
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -53,5 +55,13 @@ inline double diagonalOf(const std::vector<Vec2>& points) {
     }
     return (upper - lower).norm();
 }
+
+using Triangle = std::array<std::size_t, 3>;
+
+/// Into which triangles a simple polygon can be divided: counter-clockwise triangles between the corners of a simple
+/// counter-clockwise polygon, as far from degenerate as possible. Ear clipping, the thickest ear first; then every
+/// diagonal is flipped whose opposite angles add up to more than 180 degrees (Delaunay). Source: Meisters, "Polygons
+/// have ears", 1975; Lawson, "Transforming triangulations", 1972. Test: "pieces of 8,000 random outlines ..."
+std::vector<Triangle> triangulate(std::span<const Vec2> corners);
 
 }  // namespace plumb
