@@ -7,6 +7,7 @@
 #include <span>
 
 #include <plumb/math/check.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 

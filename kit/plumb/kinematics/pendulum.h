@@ -9,21 +9,6 @@
 
 namespace plumb {
 
-namespace detail {
-
-/// Of two positive numbers, the larger first. Each iteration about doubles the number of digits that the two have in
-/// common.
-inline double arithmeticGeometricMean(double a, double b) {
-    for (int i = 0; i < 40 && a - b > 1e-8 * a; ++i) {
-        const double mean = 0.5 * (a + b);
-        b = std::sqrt(a * b);
-        a = mean;
-    }
-    return 0.5 * (a + b);
-}
-
-}  // namespace detail
-
 /// A rigid body that hangs on an axis; a bob on a thread of length L has inertia m L^2 and distance L.
 struct Pendulum {
     double inertia = 1;     ///< I, about the axis, > 0 [kg m^2]
@@ -49,7 +34,15 @@ inline double pendulumPeriod(const Pendulum& pendulum, double amplitude = 0) {
         refuse("pendulumPeriod: amplitude", toText(amplitude) + " is not between -pi and pi");
     const double square = pendulum.inertia / pendulum.mass / pendulum.distance / pendulum.gravity;
     const double small = 2 * std::numbers::pi * std::sqrt(square);
-    const double period = small / detail::arithmeticGeometricMean(1, sinCos(0.5 * std::fabs(amplitude)).cos);
+    // The arithmetic-geometric mean of the two, the larger first. Each iteration about doubles the number of digits
+    // that they have in common.
+    double a = 1, b = sinCos(0.5 * std::fabs(amplitude)).cos;
+    for (int i = 0; i < 40 && a - b > 1e-8 * a; ++i) {
+        const double mean = 0.5 * (a + b);
+        b = std::sqrt(a * b);
+        a = mean;
+    }
+    const double period = small / (0.5 * (a + b));
     requireFinite(period, "pendulumPeriod: period");
     return period;
 }

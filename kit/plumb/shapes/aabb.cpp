@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/shapes/aabb.h>
 
+#include <plumb/shapes/detail/point_sets.h>
 #include <array>
 #include <span>
 

@@ -4,7 +4,6 @@
 #include <concepts>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -91,23 +90,6 @@ void validate(const Shape& shape, const std::string& field);
 template <detail::AlternativeOf<Shape> Alternative>
 void validate(const Alternative& shape, const std::string& field) {
     validate(Shape(shape), field);
-}
-
-[[noreturn]] void refuseCount(const Polygon& polygon, std::string_view field);
-[[noreturn]] void refuseCount(const Chain& chain, std::string_view field);
-
-// Cheap enough for hot loops. Other faults that validate() finds give wrong results, but no access outside of an array.
-// Each throws std::invalid_argument with the field's name and the count.
-
-/// Unless there are 3 to maxPolygonVertices corners.
-inline void requireCount(const Polygon& polygon, std::string_view field = "Polygon") {
-    const std::size_t count = polygon.vertices.size();
-    if (count < 3 || count > static_cast<std::size_t>(maxPolygonVertices)) refuseCount(polygon, field);
-}
-
-/// Unless there are 2 points, or 3 if it is closed.
-inline void requireCount(const Chain& chain, std::string_view field = "Chain") {
-    if (chain.points.size() < (chain.closed ? 3u : 2u)) refuseCount(chain, field);
 }
 
 }  // namespace plumb

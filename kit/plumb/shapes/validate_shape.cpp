@@ -11,6 +11,7 @@
 #include <plumb/math/require_members.h>
 #include <plumb/shapes/describe_shape.h>
 #include <plumb/shapes/detail/checks.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 namespace {

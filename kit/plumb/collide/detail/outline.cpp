@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <plumb/math/detail/length.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 

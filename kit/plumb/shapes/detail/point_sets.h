@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What do hulls, boxes and decompositions ask of points: those of a shape, their hull, their scale, their triangles?
+// What do hulls, boxes and decompositions ask of points: those of a shape, their hull, their scale, their triangles,
+// their number?
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <plumb/shapes/shape.h>
@@ -63,5 +65,24 @@ using Triangle = std::array<std::size_t, 3>;
 /// diagonal is flipped whose opposite angles add up to more than 180 degrees (Delaunay). Source: Meisters, "Polygons
 /// have ears", 1975; Lawson, "Transforming triangulations", 1972. Test: "pieces of 8,000 random outlines ..."
 std::vector<Triangle> triangulate(std::span<const Vec2> corners);
+
+// Does a shape have a valid number of corners?
+
+[[noreturn]] void refuseCount(const Polygon& polygon, std::string_view field);
+[[noreturn]] void refuseCount(const Chain& chain, std::string_view field);
+
+// Cheap enough for hot loops. Other faults that validate() finds give wrong results, but no access outside of an array.
+// Each throws std::invalid_argument with the field's name and the count.
+
+/// Unless there are 3 to maxPolygonVertices corners.
+inline void requireCount(const Polygon& polygon, std::string_view field = "Polygon") {
+    const std::size_t count = polygon.vertices.size();
+    if (count < 3 || count > static_cast<std::size_t>(maxPolygonVertices)) refuseCount(polygon, field);
+}
+
+/// Unless there are 2 points, or 3 if it is closed.
+inline void requireCount(const Chain& chain, std::string_view field = "Chain") {
+    if (chain.points.size() < (chain.closed ? 3u : 2u)) refuseCount(chain, field);
+}
 
 }  // namespace plumb
