@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/artillery/aim_look.h>
+#include <games/artillery/draw.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <games/artillery/artillery.h>
 
-#include <games/artillery/chart.h>
-#include <games/artillery/figures.h>
+#include <games/artillery/draw.h>
+#include <games/artillery/happening.h>
 #include <games/artillery/hud.h>
-#include <games/artillery/scenery.h>
-#include <games/artillery/shell_mark.h>
-#include <games/artillery/sounds.h>
-#include <games/frame/layers.h>
+#include <games/frame/canvas.h>
 
 namespace plumb::games::artillery {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How does the frame run a battle of two crews on a hilly island?
 #pragma once
-#include <games/artillery/aim_look.h>
+#include <games/artillery/draw.h>
 #include <games/artillery/effects.h>
 #include <games/artillery/eye.h>
-#include <games/artillery/figures.h>
+#include <games/artillery/hud.h>
 #include <games/artillery/match.h>
-#include <games/artillery/turn_sign.h>
 #include <games/frame/pose_trail.h>
 #include <plumb/math/random.h>
 

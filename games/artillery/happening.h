@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which events of a battle are drawn, heard or scored?
 #pragma once
+#include <vector>
+
+#include <games/frame/cue.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb::games::artillery {
@@ -30,5 +33,8 @@ struct Happening {
     int amount = 0;    ///< damage, in points of health
     Vec2 along{0, 1};  ///< direction of a shot
 };
+
+/// The sounds that it makes.
+std::vector<Cue> cuesOf(const Happening& happening);
 
 }  // namespace plumb::games::artillery

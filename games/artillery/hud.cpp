@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <games/artillery/figures.h>
-#include <games/artillery/turn_sign.h>
+#include <games/artillery/draw.h>
 #include <games/frame/game.h>
 
 namespace plumb::games::artillery {

@@ -3,8 +3,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
+#include <plumb/math/check.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb::games::artillery {
@@ -69,7 +71,11 @@ inline constexpr std::array<Strength, 3> strengths{{
     {"strong", 1.0, 0.012},
 }};
 /// Throws std::invalid_argument when no strength has this name.
-const Strength& strengthOf(std::string_view name);
+inline const Strength& strengthOf(std::string_view name) {
+    for (const Strength& strength : strengths)
+        if (strength.name == name) return strength;
+    refuse("strength", "\"" + std::string(name) + "\" is not weak, fair or strong");
+}
 
 /// One of the islands that a single player goes through.
 struct Stage {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/artillery/scenery.h>
+#include <games/artillery/draw.h>
 
 #include <algorithm>
 #include <cmath>

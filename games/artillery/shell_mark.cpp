@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/artillery/shell_mark.h>
+#include <games/artillery/hud.h>
 
 #include <cmath>
 

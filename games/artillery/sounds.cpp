@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/artillery/sounds.h>
+#include <games/artillery/happening.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/artillery/turn_sign.h>
+#include <games/artillery/hud.h>
 
 #include <games/artillery/palette.h>
 

@@ -136,4 +136,24 @@ void Canvas::text(const Vec2& at, std::string text, const TextStyle& style) {
     if (!text.empty()) add(TextMark{at, std::move(text), style}, style.color);
 }
 
+Paint Paint::linear(const Vec2& from, const Color& first, const Vec2& to, const Color& last) {
+    Paint paint(first);
+    paint.gradient = Gradient{from, to, first, last};
+    return paint;
+}
+
+Paint Paint::radial(const Vec2& center, const Color& inner, double radius, const Color& outer) {
+    Paint paint(inner);
+    paint.gradient = Gradient{center, center, inner, outer, radius};
+    return paint;
+}
+
+std::vector<const Mark*> Drawing::inOrder() const {
+    std::vector<const Mark*> order;
+    order.reserve(marks.size());
+    for (const Mark& mark : marks) order.push_back(&mark);
+    std::stable_sort(order.begin(), order.end(), [](const Mark* a, const Mark* b) { return a->layer < b->layer; });
+    return order;
+}
+
 }  // namespace plumb::games

@@ -9,6 +9,13 @@
 
 namespace plumb::games {
 
+// Which layers does a drawing have, from the lowest to the highest?
+// Values for Canvas::layer(). A game uses any layer below these, and hudLayer.
+inline constexpr int debugLayer = 1'000'000;  ///< the debug view of F1
+inline constexpr int hudLayer = 2'000'000;    ///< information for players, so that F1 does not draw over it
+inline constexpr int menuLayer = 3'000'000;
+inline constexpr int footerLayer = 4'000'000;  ///< below the picture; it hides marks that reach down there
+
 /// How a part of a picture is placed: scaled, then turned, then shifted.
 struct Place {
     Vec2 position{0, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/frame/choice.h>
+#include <games/frame/menu.h>
 
 #include <algorithm>
 
@@ -46,6 +46,12 @@ const std::string& choiceBehind(const Option& option, const std::string& now, in
     const auto at = std::find(choices.begin(), choices.end(), now) - choices.begin();
     const auto count = static_cast<std::ptrdiff_t>(choices.size());
     return choices[static_cast<std::size_t>((at + steps + count) % count)];
+}
+
+const std::string& GameSetup::option(const std::string& name) const {
+    const auto found = options.find(name);
+    if (found == options.end()) refuse("option", "this game has no option \"" + name + "\"");
+    return found->second;
 }
 
 }  // namespace plumb::games

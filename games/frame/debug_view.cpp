@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <games/frame/layers.h>
+#include <games/frame/canvas.h>
 #include <plumb/shapes/tile_map.h>
 
 namespace plumb::games {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <games/frame/layers.h>
+#include <games/frame/canvas.h>
 
 namespace plumb::games {
 

@@ -13,7 +13,6 @@
 #include <games/frame/canvas.h>
 #include <games/frame/cue.h>
 #include <games/frame/input.h>
-#include <games/frame/player.h>
 
 namespace plumb {
 class World;
@@ -73,6 +72,15 @@ protected:
 
 private:
     std::vector<Cue> cues_;
+};
+
+/// The computer as a player. The same games, seen in the same order, give the same buttons.
+class Player {
+public:
+    virtual ~Player() = default;
+    /// The buttons of the game's next tick: bit i for action i of GameInfo.actions. The game was made by the GameInfo
+    /// that made the player, so it may be cast to its own class.
+    virtual Buttons decide(const Game& game) = 0;
 };
 
 /// The colours of a game's menus.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which actions does the player want in this tick?
 #pragma once
+#include <string>
 #include <string_view>
 
 #include <games/frame/action.h>
+#include <plumb/math/check.h>
 
 namespace plumb::games {
 
@@ -35,5 +37,12 @@ private:
     const ActionList* actions_;
     Buttons now_, before_;
 };
+
+inline Buttons Input::bit(int action) const {
+    if (action < 0 || action >= actions_->size())
+        refuse("action",
+               std::to_string(action) + " is not an index; there are " + std::to_string(actions_->size()) + " actions");
+    return Buttons{1} << action;
+}
 
 }  // namespace plumb::games

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What can be chosen, and what is chosen now?
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,5 +38,15 @@ private:
     std::vector<MenuEntry> entries_;
     int chosen_ = 0;
 };
+
+/// The values of all options: the given ones, and the defaults of GameInfo for the others. Throws std::invalid_argument
+/// on an unknown option, or on a value that is not one of the option's choices.
+std::map<std::string, std::string> optionsOf(const GameInfo& info, const std::map<std::string, std::string>& given);
+
+/// The options in the title, in their order: those with choices, except the ones that only the command line has.
+std::vector<Option> optionsToChoose(const GameInfo& info);
+
+/// The choice this number of steps after now; the first choice follows the last.
+const std::string& choiceBehind(const Option& option, const std::string& now, int steps);
 
 }  // namespace plumb::games

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <games/frame/key_list.h>
-
 namespace plumb::games {
 namespace {
 

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
-#include <games/frame/choice.h>
+#include <games/frame/canvas.h>
 #include <games/frame/debug_view.h>
 #include <games/frame/hash.h>
-#include <games/frame/layers.h>
 #include <games/frame/menu.h>
 #include <games/frame/screens.h>
 #include <games/frame/title_show.h>

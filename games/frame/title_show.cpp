@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/title_show.h>
 
-#include <games/frame/choice.h>
+#include <games/frame/menu.h>
 
 namespace plumb::games {
 namespace {

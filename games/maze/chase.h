@@ -65,7 +65,6 @@ private:
     static std::size_t indexOf(Cell cell) { return static_cast<std::size_t>(cell.row * columns + cell.column); }
 
     void fillDots();
-    void placeAll();
     void movePlayer(std::optional<Direction> wanted);
     void eatAt(Cell cell);
     void eatDot(Cell cell, const Tile& tile);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <games/maze/art/palette.h>
-#include <games/maze/art/title.h>
+#include <games/maze/art/scene.h>
 #include <games/maze/computer.h>
 #include <games/maze/maze_game.h>
 

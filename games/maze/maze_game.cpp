@@ -5,7 +5,6 @@
 #include <charconv>
 
 #include <games/maze/art/palette.h>
-#include <games/maze/art/plans.h>
 #include <games/maze/art/scene.h>
 #include <games/maze/sounds.h>
 #include <plumb/math/check.h>

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <games/runner/arrangement.h>
 #include <games/runner/draw.h>
+#include <games/runner/view.h>
 
 namespace plumb::games::runner {
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <string>
 
-#include <games/runner/arrangement.h>
 #include <games/runner/draw.h>
+#include <games/runner/view.h>
 
 namespace plumb::games::runner {
 namespace {

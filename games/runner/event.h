@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which events of a tick are drawn or heard?
 #pragma once
+#include <vector>
+
+#include <games/frame/cue.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb::games::runner {
@@ -29,5 +32,8 @@ struct Event {
     Vec2 at{0, 0};  ///< [m]
     double strength = 0;
 };
+
+/// The sounds that it makes.
+std::vector<Cue> soundsOf(const Event& event);
 
 }  // namespace plumb::games::runner

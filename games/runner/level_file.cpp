@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <games/runner/level_file.h>
 
 #include <array>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a level read from a text that a person drew?
+// How is a level read from a text that a person drew, or from a file?
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -23,5 +23,9 @@ struct TextPlace {
 /// with the letters of legend(). README.md tells more. Throws as refuse() does on any other text. file: for messages
 /// only.
 Level readLevel(std::string_view text, std::string_view file);
+
+/// The level of a file. Throws std::invalid_argument when the file cannot be read, and as readLevel() does. In a
+/// browser there are no files.
+Level levelIn(const std::string& file);
 
 }  // namespace plumb::games::runner

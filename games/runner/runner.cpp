@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include <games/frame/layers.h>
+#include <games/frame/canvas.h>
 #include <games/runner/buttons.h>
 #include <games/runner/draw.h>
-#include <games/runner/level_file.h>
+#include <games/runner/event.h>
+#include <games/runner/level_text.h>
 #include <games/runner/levels.h>
-#include <games/runner/sounds.h>
 
 namespace plumb::games::runner {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/runner/sounds.h>
+#include <games/runner/event.h>
 
 #include <algorithm>
 #include <cmath>

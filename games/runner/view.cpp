@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <games/runner/arrangement.h>
-
 namespace plumb::games::runner {
 namespace {
 

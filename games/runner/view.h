@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where does the camera look, and in which pose is the hero drawn?
 #pragma once
+#include <games/frame/camera.h>
 #include <games/frame/game.h>
 #include <games/runner/stage.h>
 
@@ -38,5 +39,16 @@ private:
     bool moves_ = false;  ///< did the stage advance in the last tick?
     int ticks_ = 0;
 };
+
+// Is the window upright, so that the camera comes closer and the displays are larger?
+
+inline constexpr double uprightBand =
+    104;  ///< what the displays cover at an upright window's top [units of the screen]
+
+/// screen: the visible part, in units of the screen.
+inline bool isUpright(const Aabb& screen) {
+    constexpr double least = 580;  ///< height of an upright window [units of the screen]
+    return screen.upper.y() - screen.lower.y() >= least;
+}
 
 }  // namespace plumb::games::runner

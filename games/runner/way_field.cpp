@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/runner/way_field.h>
+#include <games/runner/way_search.h>
 
 #include <algorithm>
 #include <cmath>

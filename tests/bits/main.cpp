@@ -11,7 +11,7 @@
 #include <compare/engine/plumb_world.h>
 #include <compare/mover/plumb_movers.h>
 #include <compare/scene/builtin.h>
-#include <plumb/math/detail/wide.h>
+#include <plumb/math/detail/for_lanes.h>
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
 

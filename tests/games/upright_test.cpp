@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Can the displays of artillery and runner be read on an upright phone?
 #include <games/all_games.h>
-#include <games/frame/layers.h>
+#include <games/frame/canvas.h>
 #include <games/frame/source.h>
 
 #include "catch.h"

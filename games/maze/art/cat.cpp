@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/maze/art/cat.h>
+#include <games/maze/art/figures.h>
 
 #include <cmath>
 #include <numbers>

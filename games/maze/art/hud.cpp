@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <games/maze/art/hud.h>
+#include <games/maze/art/scene.h>
 
 #include <algorithm>
 
-#include <games/maze/art/cat.h>
-#include <games/maze/art/mouse.h>
+#include <games/maze/art/figures.h>
 #include <games/maze/art/palette.h>
-#include <games/maze/art/treats.h>
 #include <games/maze/maze_game.h>
 
 namespace plumb::games::maze {

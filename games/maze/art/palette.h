@@ -58,6 +58,12 @@ constexpr const CatLook& lookOf(Who who) {
     return cats[indexOf(who)];
 }
 
-Theme theme();
+inline Theme theme() {
+    return {.background = night,
+            .panel = Color::hex(0x1b2550),
+            .text = paper,
+            .quiet = Color::hex(0xa9b3d6),
+            .accent = cheese};
+}
 
 }  // namespace plumb::games::maze

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/maze/art/plans.h>
+#include <games/maze/art/scene.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,14 +5,9 @@
 #include <cmath>
 
 #include <games/maze/art/arrangement.h>
-#include <games/maze/art/cat.h>
+#include <games/maze/art/figures.h>
 #include <games/maze/art/hedges.h>
-#include <games/maze/art/hud.h>
-#include <games/maze/art/lettering.h>
-#include <games/maze/art/mouse.h>
 #include <games/maze/art/palette.h>
-#include <games/maze/art/traces.h>
-#include <games/maze/art/treats.h>
 #include <games/maze/lanes.h>
 #include <games/maze/maze_game.h>
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <games/maze/art/title.h>
+#include <games/maze/art/scene.h>
 
 #include <cmath>
 #include <numbers>
 
-#include <games/maze/art/cat.h>
-#include <games/maze/art/mouse.h>
+#include <games/maze/art/figures.h>
 #include <games/maze/art/palette.h>
-#include <games/maze/art/treats.h>
 #include <plumb/math/random.h>
 
 namespace plumb::games::maze {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <games/maze/art/traces.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include <games/maze/art/lettering.h>
 #include <games/maze/art/palette.h>
+#include <games/maze/art/scene.h>
 #include <games/maze/maze_game.h>
 
 namespace plumb::games::maze {
@@ -77,6 +76,19 @@ void drawTrace(Canvas& canvas, const Trace& trace) {
         case Happening::PlayerCaught: return drawRing(canvas, trace, skin, 3);
         default: break;
     }
+}
+
+void drawLettering(Canvas& canvas, const std::string& text, const Vec2& at, const Color& color, double size) {
+    TextStyle style{.size = size,
+                    .color = night.faded(color.alpha),
+                    .align = Align::Center,
+                    .baseline = Baseline::Middle,
+                    .weight = Weight::Heavy};
+    const double edge = 0.07 * size;
+    for (const double x : {-edge, edge})
+        for (const double y : {-edge, edge}) canvas.text(at + Vec2(x, y), text, style);
+    style.color = color;
+    canvas.text(at, text, style);
 }
 
 }  // namespace plumb::games::maze

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/maze/art/treats.h>
+#include <games/maze/art/figures.h>
 
 #include <array>
 #include <numbers>

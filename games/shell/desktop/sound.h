@@ -17,7 +17,6 @@ public:
 
     void play(const Cue& cue);
     void toggleMute() { muted_ = !muted_; }
-    bool muted() const { return muted_; }
 
 private:
     static constexpr int rate = 48000;  ///< [samples/s]

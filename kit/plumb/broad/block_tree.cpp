@@ -5,7 +5,7 @@
 #include <bit>
 #include <limits>
 
-#include <plumb/math/detail/bytes_of.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 namespace {

@@ -4,7 +4,11 @@
 #include <array>
 #include <span>
 
+#include <plumb/broad/brute_force.h>
+#include <plumb/broad/bvh.h>
+#include <plumb/broad/grid.h>
 #include <plumb/broad/pair.h>
+#include <plumb/broad/sweep_and_prune.h>
 #include <plumb/shapes/aabb.h>
 
 namespace plumb {
@@ -19,6 +23,16 @@ inline constexpr std::array broadPhases{BroadPhase::BruteForce, BroadPhase::Grid
 /// Tests for n evenly distributed boxes, at constant density, grow as
 ///   brute force n^2, grid n, sweep and prune n^1.5, hierarchy n
 /// Test: "all broad phases find equal pairs in 1,000 scenes", "tests grow as ..."
-PairSearch findPairs(BroadPhase method, std::span<const Aabb> boxes);
+inline PairSearch findPairs(BroadPhase method, std::span<const Aabb> boxes) {
+    switch (method) {
+        case BroadPhase::BruteForce: return bruteForcePairs(boxes);
+        case BroadPhase::Grid: return gridPairs(boxes);
+        case BroadPhase::SweepAndPrune: return sweepAndPrunePairs(boxes);
+        case BroadPhase::Bvh: break;
+    }
+    Bvh bvh;
+    bvh.build(boxes);
+    return bvh.countedPairs();
+}
 
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include <plumb/broad/detail/sort_pairs.h>
+#include <plumb/broad/detail/sorted_pairs.h>
 #include <plumb/broad/morton.h>
 
 namespace plumb {

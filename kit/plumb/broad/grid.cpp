@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <plumb/broad/detail/ordered_box.h>
-#include <plumb/broad/detail/sort_pairs.h>
+#include <plumb/broad/detail/sorted_pairs.h>
 #include <plumb/math/check.h>
 
 namespace plumb {

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include <plumb/broad/radix_sort.h>
-#include <plumb/math/detail/bytes_of.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 namespace {

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include <plumb/broad/detail/ordered_box.h>
-#include <plumb/broad/detail/sort_pairs.h>
+#include <plumb/broad/detail/sorted_pairs.h>
 
 namespace plumb {
 namespace {

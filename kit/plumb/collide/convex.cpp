@@ -7,7 +7,7 @@
 #include <span>
 
 #include <plumb/math/check.h>
-#include <plumb/shapes/detail/counts.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 

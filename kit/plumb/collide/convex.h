@@ -50,4 +50,14 @@ struct Convex {
 /// (convert each of its pieces), and on a polygon with too few or too many corners.
 Convex convexOf(const Shape& shape, const Vec2& center);
 
+/// Is this normal that of a neighbour, and not zero?
+inline bool isVector(const Vec2f& v) {
+    return v.x() != 0 || v.y() != 0;
+}
+
+/// Is this a segment with a neighbour?
+inline bool isChainSegment(const Convex& shape) {
+    return shape.count == 2 && (isVector(shape.before) || isVector(shape.after) || shape.oneSided);
+}
+
 }  // namespace plumb

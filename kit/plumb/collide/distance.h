@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 // How far apart are two placed shapes?
 #pragma once
-#include <plumb/collide/separation.h>
 #include <plumb/math/transform.h>
 #include <plumb/shapes/shape.h>
 
 namespace plumb {
+
+/// How far apart two shapes are, and where.
+struct Distance {
+    double separation = 0;  ///< negative when they overlap: minus the depth along normal [m]
+    Vec2 normal{0, 1};      ///< unit, from A to B
+    Vec2 pointA{0, 0};      ///< nearest (or deepest) point of A, in the world [m]
+    Vec2 pointB{0, 0};      ///< nearest (or deepest) point of B: pointA + separation normal, in the world [m]
+};
 
 /// The signed distance of two shapes, in double precision.
 /// separated:   min over corners p of one and edges e of the other of |p - e|

@@ -2,10 +2,8 @@
 #include <plumb/collide/manifold.h>
 
 #include <plumb/collide/detail/chain_manifold.h>
-#include <plumb/collide/detail/circle_manifold.h>
-#include <plumb/collide/detail/feature.h>
-#include <plumb/collide/detail/polygon_manifold.h>
-#include <plumb/collide/detail/rounding.h>
+#include <plumb/collide/detail/core.h>
+#include <plumb/collide/detail/core_manifold.h>
 
 namespace plumb {
 

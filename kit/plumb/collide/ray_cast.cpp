@@ -8,7 +8,7 @@
 #include <plumb/collide/distance.h>
 #include <plumb/math/detail/length.h>
 #include <plumb/shapes/chain.h>
-#include <plumb/shapes/detail/counts.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <plumb/collide/detail/outline.h>
+#include <plumb/collide/distance.h>
 #include <plumb/shapes/chain.h>
 
 namespace plumb {

@@ -20,9 +20,7 @@
 #include <plumb/dynamics/query.h>
 #include <plumb/dynamics/step_profile.h>
 #include <plumb/dynamics/world_def.h>
-#include <plumb/math/alternative.h>
-#include <plumb/math/empty_braces.h>
-#include <plumb/math/never.h>
+#include <plumb/math/overload.h>
 #include <plumb/shapes/aabb.h>
 
 namespace plumb {

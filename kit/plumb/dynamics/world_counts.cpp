@@ -8,7 +8,7 @@
 #include <plumb/dynamics/state/world_state.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
-#include <plumb/math/detail/bytes_of.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 

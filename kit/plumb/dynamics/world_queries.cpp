@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include <plumb/collide/detail/outline_normal.h>
+#include <plumb/collide/detail/outline.h>
 #include <plumb/collide/ray_cast.h>
 #include <plumb/collide/shape_cast.h>
 #include <plumb/dynamics/edit/shape_pieces.h>

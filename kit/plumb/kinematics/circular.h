@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where is a point that moves on a circle at constant speed?
 #pragma once
+#include <plumb/math/check.h>
+#include <plumb/math/trig.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb {
@@ -24,6 +26,19 @@ struct CircularPoint {
 /// angles.
 /// Throws std::invalid_argument on a negative radius and on what is not finite, A and w^2 r included.
 /// Test: "the velocity and the acceleration on a circle are the slopes of the place and of the velocity"
-CircularPoint circularAt(const CircularMotion& motion, double time);
+inline CircularPoint circularAt(const CircularMotion& motion, double time) {
+    requireFinite(motion.center, "CircularMotion.center");
+    requireNotNegative(motion.radius, "CircularMotion.radius");
+    requireFinite(motion.startAngle, "CircularMotion.startAngle");
+    requireFinite(motion.angularVelocity, "CircularMotion.angularVelocity");
+    requireFinite(time, "time");
+    const double w = motion.angularVelocity;
+    requireFinite(w * time, "CircularMotion.angularVelocity * time");
+    requireFinite(motion.startAngle + w * time, "CircularMotion.startAngle + angularVelocity * time");
+    requireFinite(w * (w * motion.radius), "CircularMotion.angularVelocity^2 * radius");
+    const SinCos angle = sinCos(motion.startAngle + w * time);
+    const Vec2 arm(motion.radius * angle.cos, motion.radius * angle.sin);
+    return {motion.center + arm, w * perp(arm), -w * (w * arm)};
+}
 
 }  // namespace plumb

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include <plumb/math/detail/exact.h>
+
 namespace plumb {
 namespace {
 
@@ -17,18 +19,6 @@ double nearestInteger(double x) {
     return (x + shift) - shift;
 }
 
-/// A number as the sum of two, the second below the last place of the first.
-struct Pair2 {
-    double high, low;
-};
-
-// Error-free: high + low is a - b. Source: Knuth, TAOCP 2, 4.2.2, theorem B.
-Pair2 difference(double a, double b) {
-    const double high = a - b;
-    const double bPart = a - high;
-    return {high, (a - (high + bPart)) + (bPart - b)};
-}
-
 // pi / 2 split into parts of 26 bits (the last has 53): the product of an integer of 26 bits with each of the first
 // four is exact.
 constexpr std::array<double, 5> halfPiPieces = {0x1.921fb5p+0, 0x1.110b46p-26, 0x1.1a6263p-54, 0x1.8a2e03p-81,
@@ -36,19 +26,19 @@ constexpr std::array<double, 5> halfPiPieces = {0x1.921fb5p+0, 0x1.110b46p-26, 0
 constexpr double twoOverPi = 0x1.45f306dc9c883p-1;
 constexpr double twoPi = 0x1.921fb54442d18p+2;
 
-Pair2 minusQuarterTurns(Pair2 angle, double count) {
-    double low = angle.low;
-    double high = angle.high;
+Exact minusQuarterTurns(Exact angle, double count) {
+    double low = angle.lost;
+    double high = angle.value;
     for (const double piece : halfPiPieces) {
-        const Pair2 rest = difference(high, count * piece);
-        high = rest.high;
-        low += rest.low;
+        const Exact rest = exactDifference(high, count * piece);
+        high = rest.value;
+        low += rest.lost;
     }
     return {high, low};
 }
 
 struct Reduced {
-    Pair2 angle;       ///< in [-pi/4, pi/4], or slightly outside [rad]
+    Exact angle;       ///< in [-pi/4, pi/4], or slightly outside [rad]
     unsigned quarter;  ///< quarter turns to add, modulo 4
 };
 
@@ -60,11 +50,11 @@ Reduced reduce(double angle) {
     const double count = nearestInteger(within * twoOverPi);
     if (count == 0) return {{within, 0}, 0};
     const double countHigh = nearestInteger(count * 0x1p-26) * 0x1p26;
-    Pair2 rest{within, 0};
+    Exact rest{within, 0};
     if (countHigh != 0) rest = minusQuarterTurns(rest, countHigh);
     rest = minusQuarterTurns(rest, count - countHigh);
-    const double sum = rest.high + rest.low;
-    return {{sum, rest.low - (sum - rest.high)}, static_cast<unsigned>(static_cast<std::int64_t>(count) & 3)};
+    const double sum = rest.value + rest.lost;
+    return {{sum, rest.lost - (sum - rest.value)}, static_cast<unsigned>(static_cast<std::int64_t>(count) & 3)};
 }
 
 // The sum of coefficients[k] z^k (Horner's scheme).
@@ -76,22 +66,22 @@ double polynomial(const std::array<double, N>& coefficients, double z) {
 }
 
 // Taylor's series up to x^17: the next term is below 1e-19 of x at pi / 4.
-double sineOf(const Pair2& x) {
+double sineOf(const Exact& x) {
     constexpr std::array<double, 8> series = {
         -1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
         -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
-    const double z = x.high * x.high;
-    return x.high + (x.high * z * polynomial(series, z) + x.low * (1 - 0.5 * z));
+    const double z = x.value * x.value;
+    return x.value + (x.value * z * polynomial(series, z) + x.lost * (1 - 0.5 * z));
 }
 
 // Taylor's series up to x^16: the next term is below 3e-18 at pi / 4.
-double cosineOf(const Pair2& x) {
+double cosineOf(const Exact& x) {
     constexpr std::array<double, 7> series = {1.0 / 24,        -1.0 / 720,         1.0 / 40320,         -1.0 / 3628800,
                                               1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000};
-    const double z = x.high * x.high;
+    const double z = x.value * x.value;
     const double half = 0.5 * z;
     const double start = 1 - half;
-    return start + (((1 - start) - half) + (z * z * polynomial(series, z) - x.high * x.low));
+    return start + (((1 - start) - half) + (z * z * polynomial(series, z) - x.value * x.lost));
 }
 
 // atan(u) for |u| <= 1/16. The series up to u^13: the next term is below 1e-18 of u.
@@ -102,7 +92,7 @@ double smallArcTangent(double u) {
 }
 
 // atan(i / 8) and the rounding error of that value.
-constexpr std::array<Pair2, 9> arcTangents = {{{0, 0},
+constexpr std::array<Exact, 9> arcTangents = {{{0, 0},
                                                {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
                                                {0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
                                                {0x1.6f61941e4def1p-2, -0x1.c63aae6f6e918p-56},
@@ -113,14 +103,14 @@ constexpr std::array<Pair2, 9> arcTangents = {{{0, 0},
                                                {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}}};
 
 // atan(n / d) = atan(c) + atan((n - c d) / (d + c n)), with c the multiple of 1/8 next to n / d; 0 <= n <= d, 0 < d.
-Pair2 firstOctant(double n, double d) {
+Exact firstOctant(double n, double d) {
     const double step = nearestInteger(8 * (n / d));
     const double c = step / 8;
     const double u = step == 0 ? n / d : (n - c * d) / (d + c * n);
-    const Pair2 base = arcTangents[static_cast<std::size_t>(step)];
-    const double tail = smallArcTangent(u) + base.low;
-    const double high = base.high + u;
-    return {high, (u - (high - base.high)) + tail};
+    const Exact base = arcTangents[static_cast<std::size_t>(step)];
+    const double tail = smallArcTangent(u) + base.lost;
+    const double high = base.value + u;
+    return {high, (u - (high - base.value)) + tail};
 }
 
 // 1/2!, 1/3!, ...: (e^x - 1 - x) / x^2 up to x^13 of e^x; the next term is below 5e-18 at ln(2) / 2.
@@ -173,14 +163,16 @@ double arcTangent(double y, double x) {
     const double scale = larger > 0x1p1000 ? 0x1p-100 : larger < 0x1p-900 ? 0x1p150 : 1;
     across *= scale;
     up *= scale;
-    Pair2 angle = steep ? firstOctant(across, up) : firstOctant(up, across);
-    constexpr Pair2 halfPi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
-    if (steep) angle = {halfPi.high - angle.high, halfPi.low - angle.low + difference(halfPi.high, angle.high).low};
+    Exact angle = steep ? firstOctant(across, up) : firstOctant(up, across);
+    constexpr Exact halfPi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
+    if (steep)
+        angle = {halfPi.value - angle.value,
+                 halfPi.lost - angle.lost + exactDifference(halfPi.value, angle.value).lost};
     if (x < 0) {
-        const Pair2 rest = difference(2 * halfPi.high, angle.high);
-        angle = {rest.high, rest.low + (2 * halfPi.low - angle.low)};
+        const Exact rest = exactDifference(2 * halfPi.value, angle.value);
+        angle = {rest.value, rest.lost + (2 * halfPi.lost - angle.lost)};
     }
-    const double size = angle.high + angle.low;
+    const double size = angle.value + angle.lost;
     return y < 0 ? -size : size;
 }
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <plumb/math/empty_braces.h>
+#include <plumb/math/overload.h>
 #include <plumb/movers/grid_pass.h>
 #include <plumb/movers/grid_pattern.h>
 

@@ -19,9 +19,16 @@ struct GridPass {
     PassRule rule = nullptr;
 };
 
-bool mayEnter(const GridPass& pass, const Tile& tile, Direction heading);
+inline bool mayEnter(const GridPass& pass, const Tile& tile, Direction heading) {
+    if (pass.rule) return pass.rule(tile, heading);
+    if (tile.tag & pass.closes) return false;
+    return !isSolid(tile) || (tile.tag & pass.opens);
+}
 
 /// Is the next cell in this direction on the map, and may it be entered?
-bool isOpen(const TileMap& map, Cell cell, Direction direction, const GridPass& pass = {});
+inline bool isOpen(const TileMap& map, Cell cell, Direction direction, const GridPass& pass = {}) {
+    const Cell next = neighbourOf(cell, direction);
+    return map.contains(next) && mayEnter(pass, map.at(next), direction);
+}
 
 }  // namespace plumb

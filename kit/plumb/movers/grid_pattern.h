@@ -2,6 +2,9 @@
 // How does a machine without fractions move at 71 % of a pixel per frame?
 #pragma once
 #include <cstdint>
+#include <string>
+
+#include <plumb/math/check.h>
 
 namespace plumb {
 
@@ -22,6 +25,15 @@ struct SpeedPattern {
 /// the arcade; their order in its tables differs. Throws std::invalid_argument on p outside, or that is not a multiple
 /// of 5.
 /// Source: the numbers of bits: the tables of its program. Test: "speeds of all level bands ..."
-SpeedPattern speedPattern(int percent);
+inline SpeedPattern speedPattern(int percent) {
+    if (percent < 0 || percent > 160 || percent % 5 != 0)
+        refuse("speedPattern: percent", std::to_string(percent) + " is not a multiple of 5 from 0 to 160");
+    const int set = percent / 5;
+    SpeedPattern pattern;
+    // Bresenham's line: bit i is set where i set / 32 passes a whole number.
+    for (int bit = 0; bit < 32; ++bit)
+        pattern.bits = pattern.bits << 1 | static_cast<std::uint32_t>((bit + 1) * set / 32 - bit * set / 32);
+    return pattern;
+}
 
 }  // namespace plumb

@@ -7,8 +7,8 @@
 
 #include <plumb/math/check.h>
 #include <plumb/math/trig.h>
-#include <plumb/movers/detail/hazards.h>
 #include <plumb/movers/detail/slide_carry.h>
+#include <plumb/movers/detail/slide_probe.h>
 #include <plumb/movers/detail/slide_run.h>
 
 namespace plumb {

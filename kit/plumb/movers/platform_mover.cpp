@@ -6,8 +6,8 @@
 #include <utility>
 
 #include <plumb/math/check.h>
-#include <plumb/movers/detail/one_way.h>
 #include <plumb/movers/detail/platform_tick.h>
+#include <plumb/movers/detail/slide_probe.h>
 
 namespace plumb {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/shapes/aabb.h>
 
+#include <plumb/shapes/detail/point_sets.h>
 #include <array>
 #include <span>
-
-#include <plumb/shapes/detail/counts.h>
 
 namespace plumb {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <plumb/math/check.h>
 #include <plumb/math/random.h>
-#include <plumb/shapes/detail/core_points.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 namespace {

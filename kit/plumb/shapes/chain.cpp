@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/shapes/chain.h>
 
-#include <plumb/shapes/detail/counts.h>
+#include <plumb/shapes/detail/point_sets.h>
 #include <plumb/shapes/tile_pieces.h>
 
 namespace plumb {

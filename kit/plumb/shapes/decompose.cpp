@@ -10,8 +10,7 @@
 
 #include <plumb/math/check.h>
 #include <plumb/math/random.h>
-#include <plumb/shapes/detail/scaled_points.h>
-#include <plumb/shapes/detail/triangulate.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 namespace {

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include <plumb/math/check.h>
-#include <plumb/shapes/detail/hull_outline.h>
-#include <plumb/shapes/detail/scaled_points.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 namespace {

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include <plumb/math/check.h>
-#include <plumb/shapes/detail/core_points.h>
-#include <plumb/shapes/detail/hull_outline.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 namespace {

@@ -7,8 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include <plumb/math/alternative.h>
-#include <plumb/math/never.h>
+#include <plumb/math/overload.h>
 #include <plumb/math/vec2.h>
 #include <plumb/shapes/tile_map.h>
 

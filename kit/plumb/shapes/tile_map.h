@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include <plumb/math/empty_braces.h>
+#include <plumb/math/overload.h>
 #include <plumb/shapes/tile.h>
 
 namespace plumb {

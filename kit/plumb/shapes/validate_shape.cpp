@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which shapes, masses and tile maps are refused?
+// Which shapes, masses and tile maps are refused? And the polygon of a box, which refuses its sizes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <plumb/math/require_members.h>
 #include <plumb/shapes/describe_shape.h>
 #include <plumb/shapes/detail/checks.h>
-#include <plumb/shapes/detail/counts.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 namespace {
@@ -165,6 +165,14 @@ void validateTogether(const Chain& chain, const std::string& field) {
 }
 
 }  // namespace
+
+Polygon boxPolygon(const Vec2& halfSize, const Vec2& center) {
+    requirePositive(halfSize, "box.halfSize");
+    requireFinite(center, "box.center");
+    const double w = halfSize.x();
+    const double h = halfSize.y();
+    return {{center + Vec2(-w, -h), center + Vec2(w, -h), center + Vec2(w, h), center + Vec2(-w, h)}};
+}
 
 void refuseCount(const Polygon& polygon, std::string_view field) {
     const std::size_t count = polygon.vertices.size();

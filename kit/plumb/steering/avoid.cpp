@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <plumb/math/check.h>
-#include <plumb/steering/detail/vectors.h>
+#include <plumb/math/detail/length.h>
 
 namespace plumb {
 namespace {

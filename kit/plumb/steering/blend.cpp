@@ -2,7 +2,7 @@
 #include <plumb/steering/blend.h>
 
 #include <plumb/math/check.h>
-#include <plumb/steering/detail/vectors.h>
+#include <plumb/math/detail/length.h>
 
 namespace plumb {
 namespace {

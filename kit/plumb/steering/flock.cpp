@@ -2,8 +2,8 @@
 #include <plumb/steering/flock.h>
 
 #include <plumb/math/check.h>
+#include <plumb/math/detail/length.h>
 #include <plumb/math/trig.h>
-#include <plumb/steering/detail/vectors.h>
 #include <plumb/steering/seek.h>
 
 namespace plumb {

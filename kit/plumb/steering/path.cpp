@@ -7,7 +7,7 @@
 #include <string>
 
 #include <plumb/math/check.h>
-#include <plumb/steering/detail/vectors.h>
+#include <plumb/math/detail/length.h>
 #include <plumb/steering/seek.h>
 
 namespace plumb {

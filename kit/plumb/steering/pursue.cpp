@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <plumb/math/check.h>
-#include <plumb/steering/detail/vectors.h>
+#include <plumb/math/detail/length.h>
 #include <plumb/steering/seek.h>
 
 namespace plumb {

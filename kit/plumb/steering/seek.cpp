@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include <plumb/math/check.h>
-#include <plumb/steering/detail/vectors.h>
+#include <plumb/math/detail/length.h>
 
 namespace plumb {
 

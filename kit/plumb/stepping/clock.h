@@ -4,8 +4,7 @@
 #include <concepts>
 #include <cstdint>
 
-#include <plumb/math/empty_braces.h>
-#include <plumb/math/never.h>
+#include <plumb/math/overload.h>
 
 namespace plumb {
 

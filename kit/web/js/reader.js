@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: MIT
 // How do numbers in the module's memory become a value? row.h writes them.
 import { cached, idClasses, Ids } from './ids.js';
-import { vectorOf } from './vectors.js';
+
+// A vector is the array [x, y], which has x and y, too.
+const vectorPrototype = Object.create(Array.prototype, {
+  x: { get() { return this[0]; } },
+  y: { get() { return this[1]; } },
+  // What is made of it, as by map, is a plain array.
+  constructor: { value: Array },
+  // Node shows it as [1, 2].
+  [Symbol.for('nodejs.util.inspect.custom')]: {
+    value(depth, options, inspect) { return inspect([...this], options); } },
+});
+
+/** An array whose prototype is set takes half the time of one that a subclass of Array makes. */
+const vectorOf = (x, y) => Object.setPrototypeOf([x, y], vectorPrototype);
 
 /** 64 bits as a BigInt. */
 const bitsOf = (low, high) => BigInt(low) | (BigInt(high) << 32n);

@@ -20,7 +20,7 @@ function hashOf(text) {
 }
 
 /** Each after those that it imports. */
-const runtimeFiles = ['refusals.js', 'ids.js', 'hints.js', 'writer.js', 'vectors.js', 'reader.js', 'guards.js', 'shown.js',
+const runtimeFiles = ['refusals.js', 'ids.js', 'hints.js', 'writer.js', 'reader.js', 'guards.js', 'shown.js',
                       'poses_before.js', 'runtime.js'];
 
 /** The schema, in which a tag is a kind of its own: a label that is compared, no bits that are combined. */

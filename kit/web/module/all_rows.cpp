@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <web/module/all_rows.h>
+#include <web/module/host.h>
 
 #include <limits>
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <web/module/all_calls.h>
-#include <web/module/all_rows.h>
+#include <web/module/host.h>
 #include <web/module/schema_hash.h>
+#include <web/module/world_calls.h>
 #include <web/runtime/export.h>
 
 namespace plumb::web {

@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -22,9 +23,16 @@
 #include <plumb/steering/wander.h>
 #include <web/module/members.h>
 #include <web/module/path_pieces.h>
-#include <web/module/rules.h>
 
 namespace plumb::web {
+
+// A contact rule is a plain function pointer; so there are as many as JavaScript may have rules at a time, and each
+// asks for its number.
+inline constexpr std::size_t mostRules = 64;
+
+/// Rules are numbered from 1; 0 is none. Throws std::invalid_argument on a number above mostRules.
+ContactRule ruleOf(std::size_t number);
+std::size_t numberOf(ContactRule rule);
 
 template <class T, template <class...> class Template>
 inline constexpr bool isOf = false;

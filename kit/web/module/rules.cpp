@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <web/module/rules.h>
+#include <web/module/row.h>
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <utility>
 #include <vector>
-
-#include <web/module/row.h>
 
 namespace plumb::web {
 

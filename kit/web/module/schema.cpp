@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <plumb/dynamics/describe.h>
-#include <web/module/all_calls.h>
+#include <web/module/world_calls.h>
 
 namespace plumb::web {
 

@@ -4,6 +4,9 @@
 #pragma once
 #include <plumb/plumb.h>
 #include <web/module/call.h>
+#include <web/module/formula_calls.h>
+#include <web/module/mover_calls.h>
+#include <web/module/shape_calls.h>
 
 namespace plumb::web {
 
@@ -141,6 +144,22 @@ void listOtherViewCalls(auto&& list) {
     list("Joint", "setMotorSpeed", "speed", fn<&Joint::setMotorSpeed>);
     list("Field", "def", "", fn<&FieldView::def>);
     list("Field", "set", "def", fn<&Field::set>);
+}
+
+/// All functions that JavaScript has, in the order of their numbers.
+void listAllCalls(auto&& list) {
+    listEditCalls(list);
+    listQueryCalls(list);
+    listBodyCalls(list);
+    listOtherViewCalls(list);
+    listShapeCalls(list);
+    listGridCalls(list);
+    listPlatformCalls(list);
+    listPathCalls(list);
+    listClockCalls(list);
+    listBallisticsCalls(list);
+    listKinematicsCalls(list);
+    listSteeringCalls(list);
 }
 
 }  // namespace plumb::web

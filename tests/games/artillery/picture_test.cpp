@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What does the picture of a battle tell?
 #include <games/artillery/artillery.h>
-#include <games/artillery/shell_mark.h>
+#include <games/artillery/hud.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/debug_view.h>
 
-#include <games/frame/layers.h>
+#include <games/frame/canvas.h>
 #include <plumb/plumb.h>
 #include <plumb/shapes/tile_map.h>
 

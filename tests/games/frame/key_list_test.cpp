@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <games/frame/key_list.h>
+#include <games/frame/screens.h>
 
 #include "catch.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/screens.h>
 
-#include <games/frame/layers.h>
+#include <games/frame/canvas.h>
 #include <games/frame/source.h>
 
 #include "catch.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <plumb/dynamics/joints/joint_rows.h>
-#include <plumb/math/detail/wide.h>
+#include <plumb/math/detail/for_lanes.h>
 #include "catch.h"
 #include "kit/dynamics/island_machines.h"
 

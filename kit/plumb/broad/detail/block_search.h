@@ -5,9 +5,12 @@
 #include <span>
 
 #include <plumb/broad/block_tree.h>
-#include <plumb/broad/detail/slot_pair.h>
 
 namespace plumb {
+
+// Defined in block_search_wide.h.
+struct SearchWork;
+struct SlotPairSink;
 
 struct BlockSearch {
     BlockTree::View from;                           ///< its dirty slots are searched for

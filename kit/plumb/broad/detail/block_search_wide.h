@@ -4,10 +4,29 @@
 #include <cmath>
 
 #include <plumb/broad/box_block.h>
-#include <plumb/broad/detail/slot_pair.h>
 #include <plumb/math/detail/wide_ops.h>
 
 namespace plumb {
+
+// What a search of a block tree gives.
+
+/// Two slots whose boxes may overlap now and did not before, in float: no pair is missed; a pair too many has edges
+/// that are equal when rounded.
+struct SlotPair {
+    std::uint32_t a, b;
+};
+
+/// The work done, in units that take about the same time on any machine.
+struct SearchWork {
+    std::uint64_t blocks;  ///< 16 boxes tested against the bounds of one block's dirty slots
+    std::uint64_t boxes;   ///< one box tested against the 16 of a block
+};
+
+/// Receives the pairs that are found, in batches.
+struct SlotPairSink {
+    void (*take)(void* receiver, const SlotPair* pairs, std::uint32_t count);
+    void* receiver;
+};
 
 /// Plain arrays and templates over W only, and no Eigen: see math/detail/wide.h.
 template <int W>

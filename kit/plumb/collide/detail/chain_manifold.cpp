@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <plumb/collide/detail/circle_manifold.h>
-#include <plumb/collide/detail/polygon_manifold.h>
-#include <plumb/collide/detail/rounding.h>
+#include <plumb/collide/detail/core.h>
+#include <plumb/collide/detail/core_manifold.h>
 
 namespace plumb {
 

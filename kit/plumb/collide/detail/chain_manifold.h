@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where does a segment of a chain touch, so that bodies slide over its vertices without catching?
 #pragma once
-#include <plumb/collide/detail/chain_segment.h>
+#include <plumb/collide/convex.h>
 #include <plumb/collide/detail/core.h>
 #include <plumb/collide/manifold_point.h>
 #include <plumb/math/vec2.h>

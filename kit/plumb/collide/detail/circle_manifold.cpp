@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/collide/detail/circle_manifold.h>
+#include <plumb/collide/detail/core_manifold.h>
 
 #include <cmath>
 
-#include <plumb/collide/detail/rounding.h>
+#include <plumb/collide/detail/core.h>
 
 namespace plumb {
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// In which form do the manifold functions read a shape? Its core, with four corners or edges at a time.
+// In which form do the manifold functions read a shape? Its core, with four corners or edges at a time. And which
+// lengths are rounding errors there?
 #pragma once
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <Eigen/Core>
 
@@ -66,6 +69,16 @@ inline std::size_t largestOf(const Row& row, std::size_t count) {
         largest = larger ? row.values[i] : largest;
     }
     return best;
+}
+
+inline float manhattan(const Vec2f& v) {
+    return std::abs(v.x()) + std::abs(v.y());
+}
+
+/// The rounding error of float arithmetic on coordinates of this size. Eight roundings of a number of this size:
+/// rotation, translation, difference and product make about six.
+inline float roundingOf(float size) {
+    return 4 * std::numeric_limits<float>::epsilon() * size;
 }
 
 }  // namespace plumb

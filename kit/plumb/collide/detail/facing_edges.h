@@ -21,7 +21,7 @@ struct TouchingEdges {
     using M = typename Wide<W>::Mask;
     struct Point {
         F x, y, separation;     ///< half way between the surfaces [m]
-        I reference, incident;  ///< feature codes (see feature.h)
+        I reference, incident;  ///< feature codes (see core_manifold.h)
     };
     F normalX, normalY;  ///< out of the reference shape
     Point points[2];
@@ -37,7 +37,7 @@ struct FacingEdges {
     using F = typename Wide<W>::Float;
     using I = typename Wide<W>::Int;
     using M = typename Wide<W>::Mask;
-    static constexpr int edgeBit = 0x80;  ///< as in feature.h
+    static constexpr int edgeBit = 0x80;  ///< as in core_manifold.h
 
     F startX, startY, alongX, alongY;  ///< of the reference edge: its start, and the way from there to its end [m]
     F normalX, normalY;            ///< of the reference edge, outward

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <plumb/math/detail/length.h>
-#include <plumb/shapes/detail/counts.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 namespace plumb {
 

@@ -3,12 +3,14 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <optional>
 
-#include <plumb/collide/separation.h>
 #include <plumb/math/transform.h>
 #include <plumb/shapes/shape.h>
 
 namespace plumb {
+
+struct Distance;
 
 /// Corners with the edges that leave them, and a radius around all.
 struct Outline {
@@ -32,5 +34,13 @@ void place(const Outline& outline, const Rot& rotation, const Vec2& shift, Outli
 Distance distance(const Outline& a, const Outline& b, const Vec2& origin);
 /// The signed distance (see distance.h) of the cores of two outlines seen from one origin, without their radii.
 Distance coreDistance(const Outline& a, const Outline& b);
+
+/// In which direction does an outline that is solid on its left push, where a cast hit one of its segments?
+/// The outward normal for a cast that hit a segment on its own with this normal, in the segment's frame [-]. Along the
+/// segment, and at a flat or concave vertex, that is the segment's own normal; at a convex corner, any normal between
+/// its own and its neighbour's. None where the segment was hit from behind, or through the neighbour at a narrow
+/// concave corner, or where the hit belongs to the neighbour.
+/// Test: "10,000 movers slide over flush tiles, floor and wall, as on one slab, and lose nothing"
+std::optional<Vec2> outlineNormal(const Segment& segment, const Vec2& normal);
 
 }  // namespace plumb

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/collide/detail/outline_normal.h>
+#include <plumb/collide/detail/outline.h>
 
 #include <cmath>
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/collide/detail/polygon_manifold.h>
 
 #include <algorithm>
 #include <cstdint>
 
+#include <plumb/collide/detail/core.h>
+#include <plumb/collide/detail/core_manifold.h>
 #include <plumb/collide/detail/facing_edges.h>
-#include <plumb/collide/detail/feature.h>
-#include <plumb/collide/detail/rounding.h>
 
 namespace plumb {
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <plumb/math/check.h>
+#include <plumb/shapes/aabb.h>
 #include <plumb/shapes/shape.h>
 
 namespace plumb {
@@ -20,6 +21,11 @@ inline void requireInRange(const Vec2& value, const std::string& field, const st
 }
 
 /// Unless it is a shape that a body can have, and lies within maxMagnitude.
-void requireInRange(const Shape& shape, const std::string& name);
+inline void requireInRange(const Shape& shape, const std::string& name) {
+    validate(shape, name);
+    const Aabb box = aabbOf(shape, {});
+    requireInRange(box.lower, name, ": box.lower");
+    requireInRange(box.upper, name, ": box.upper");
+}
 
 }  // namespace plumb

@@ -20,7 +20,7 @@ struct BoxCollider {
     static constexpr float favour = 1e-4f;    ///< B's face must be better by this share of the smaller box's size
     static constexpr float facing = 0.9999f;  ///< faces count as parallel if the cosine of their angle is larger
     static constexpr float rounding = 8 * 1.1920929e-7f;
-    static constexpr int edgeBit = 0x80;  ///< features as in collide/detail/feature.h
+    static constexpr int edgeBit = 0x80;  ///< features as in collide/detail/core_manifold.h
 
     static F all(float value) { return F{} + value; }
     static I whole(int value) { return I{} + value; }

@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// Times the size of coordinates: the length that counts as their rounding, as in collide/detail/rounding.h.
+/// Times the size of coordinates: the length that counts as their rounding, as in collide/detail/core.h.
 inline constexpr float lengthRoundings = 4 * 1.1920929e-7f;
 
 /// Rows from a polygon's count on are copies of its first corner.

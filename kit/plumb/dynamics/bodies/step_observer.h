@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <plumb/dynamics/bodies/body_store.h>
-#include <plumb/math/detail/vec3.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 

@@ -5,8 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include <plumb/collide/detail/chain_segment.h>
-
 namespace plumb {
 
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 #include <plumb/dynamics/joints/hinge_solver.h>
 #include <plumb/dynamics/joints/joint_store.h>
-#include <plumb/math/detail/bytes_of.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 

@@ -2,7 +2,7 @@
 // How does a joint stand between two steps?
 #pragma once
 #include <plumb/dynamics/joints/joint_form.h>
-#include <plumb/math/detail/vec3.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 

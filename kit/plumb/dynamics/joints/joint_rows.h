@@ -5,7 +5,7 @@
 #include <array>
 
 #include <plumb/dynamics/joints/joint_form.h>
-#include <plumb/math/detail/vec3.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 

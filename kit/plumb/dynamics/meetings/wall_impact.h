@@ -7,7 +7,7 @@
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/dynamics/meetings/wall_search.h>
-#include <plumb/math/detail/vec3.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 

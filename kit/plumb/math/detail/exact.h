@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which rounding error does a sum or a product have?
+// Which rounding error does a sum, a difference or a product have?
 #pragma once
 
 namespace plumb {
@@ -14,6 +14,13 @@ inline Exact exactSum(double a, double b) {
     const double value = a + b;
     const double bPart = value - a;
     return {value, (a - (value - bPart)) + (b - bPart)};
+}
+
+/// a - b, in the same way.
+inline Exact exactDifference(double a, double b) {
+    const double value = a - b;
+    const double bPart = a - value;
+    return {value, (a - (value + bPart)) + (bPart - b)};
 }
 
 /// a b, if neither is above 1e299 nor the product, when it is not 0, below 1e-290; beyond these limits lost may be NaN

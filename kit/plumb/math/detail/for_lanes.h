@@ -8,6 +8,19 @@
 
 namespace plumb {
 
+/// How many floats this machine processes at once: 4, 8 or 16; 1 where the compiler has no vector extensions.
+inline int machineLanes() {
+#if defined(__x86_64__) && defined(__GNUC__)
+    static const bool has16 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                              __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+    static const bool has8 = __builtin_cpu_supports("avx2");
+    if (has16 && has8) return 16;
+    return has8 ? 8 : 4;
+#else
+    return std::min(mostLanes, 4);
+#endif
+}
+
 /// pick.operator()<W>() for the widest variant W that the machine supports and that has at most the requested lanes;
 /// for the narrowest that there is, if all have more. Not for use in files ..._8.cpp and ..._16.cpp.
 template <class Pick>

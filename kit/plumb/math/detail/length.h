@@ -32,4 +32,10 @@ inline Vec2 directionOf(const Vec2& v) {
     return {x / length, y / length};
 }
 
+/// v, or a vector of length most in the same direction.
+inline Vec2 limited(const Vec2& v, double most) {
+    const double length = lengthOf(v);
+    return length > most ? Vec2(most * directionOf(v)) : v;
+}
+
 }  // namespace plumb::detail

@@ -67,7 +67,4 @@ inline constexpr int fewestLanes = 4, mostLanes = 4;
 inline constexpr int fewestLanes = 1, mostLanes = 16;
 #endif
 
-/// How many floats this machine processes at once: 4, 8 or 16; 1 where the compiler has no vector extensions.
-int machineLanes();
-
 }  // namespace plumb

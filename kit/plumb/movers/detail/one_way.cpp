@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/movers/detail/one_way.h>
+#include <plumb/movers/detail/slide_probe.h>
 
 #include <algorithm>
 #include <cmath>

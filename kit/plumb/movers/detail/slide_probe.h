@@ -2,13 +2,21 @@
 // What would stop a moving body, if other kinematic bodies were already where the coming step takes them?
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
-#include <plumb/movers/detail/face_span.h>
-#include <plumb/movers/detail/one_way.h>
 #include <plumb/movers/slide.h>
 
 namespace plumb::detail {
+
+/// The direction, in the world, from which alone the hit shape or tile is solid; empty when it is solid from all sides.
+std::optional<Vec2> openSideOf(const CastHit& hit);
+
+/// nullptr when the shape was removed, or is not a tile map any more.
+const TileMap* mapOf(const World& world, const ShapeId& shape);
+
+/// A one-way shape is one floor; one-way tiles of a map form one floor if their tops join end to end, horizontally.
+bool isOneFloor(const World& world, const OneWayFloor& a, const OneWayFloor& b);
 
 /// A moving body, and the transform that takes a point fixed to it from its position after the step to its position
 /// before.
@@ -31,6 +39,15 @@ struct OverlapHit {
     CastHit hit;  ///< its normal is the direction of separation
     double depth = 0;
 };
+
+/// The interval along a line of those corners of a shape's core that are farthest in one direction, to 1 mm; a single
+/// value for a round shape, and for a face that is not perpendicular to the direction.
+struct FaceSpan {
+    double low = 0, high = 0;  ///< [m]
+    double farthest = 0;       ///< in that direction, with the shape's radius [m]
+};
+
+FaceSpan faceSpan(const Shape& shape, const Transform& pose, const Vec2& direction, const Vec2& line);
 
 /// A shape enlarged by a distance on all sides.
 Shape inflatedBy(Shape shape, double by);
@@ -105,5 +122,9 @@ private:
     mutable std::vector<ShapeId> maps_;  ///< a record only: no result depends on it
     std::optional<BodyId> passed_ = std::nullopt;
 };
+
+/// Which hazard tiles a body touches during a tick: those within one and a half skins of the body as it moves from
+/// point to point, of the maps that it met; each once, sorted by map, row and column.
+std::vector<TileTouch> hazardsOn(const SlideProbe& probe, std::span<const Vec2> path);
 
 }  // namespace plumb::detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/shapes/detail/triangulate.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <plumb/math/detail/bytes_of.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <plumb/broad/detail/block_search.h>
+#include <plumb/broad/detail/block_search_wide.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {

@@ -20,7 +20,7 @@ struct LaneReuser {
     static constexpr float farthestTurn = 2e-3f;  ///< of B relative to A [rad]
     static constexpr float turnOfNormal = 1e-3f;  ///< of the normal between two corners [rad]
     static constexpr float fast = 5e-3f;          ///< what moves farther in the step is collided again [m]
-    static constexpr int edges = 0x8080;          ///< in a feature: an edge takes part (see collide/detail/feature.h)
+    static constexpr int edges = 0x8080;  ///< in a feature: an edge takes part (see collide/detail/core_manifold.h)
 
     static F all(float value) { return F{} + value; }
     static I whole(int value) { return I{} + value; }

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include <plumb/math/detail/bytes_of.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 

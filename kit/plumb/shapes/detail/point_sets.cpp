@@ -1,10 +1,43 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/shapes/detail/hull_outline.h>
+#include <plumb/shapes/detail/point_sets.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace plumb {
+namespace {
+
+CorePoints coreOf(const Circle& circle) {
+    return {{circle.center}, circle.radius};
+}
+
+CorePoints coreOf(const Capsule& capsule) {
+    return {{capsule.start, capsule.end}, capsule.radius};
+}
+
+CorePoints coreOf(const Polygon& polygon) {
+    return {polygon.vertices, polygon.radius};
+}
+
+CorePoints coreOf(const Segment& segment) {
+    return {{segment.start, segment.end}, 0};
+}
+
+CorePoints coreOf(const Chain& chain) {
+    return {chain.points, 0};
+}
+
+CorePoints coreOf(const TileMap& map) {
+    const std::array<Vec2, 4> corners = outerCornersOf(map);
+    return {{corners.begin(), corners.end()}, 0};
+}
+
+}  // namespace
+
+CorePoints corePointsOf(const Shape& shape) {
+    return std::visit([](const auto& outline) { return coreOf(outline); }, shape);
+}
 
 // The lower hull from left to right, then the upper hull back.
 HullIndices hullOutline(std::span<const Vec2> points) {
