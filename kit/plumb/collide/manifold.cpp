@@ -21,10 +21,10 @@ Vec2f placed(const RelativePose& pose, const Vec2f& point) {
 Core placed(const RelativePose& pose, const Convex& shape, PlacedRows& buffer) {
     const Core core = coreOf(shape);
     for (std::size_t i = 0; i < core.count; i += lanes) {
-        const Lanes x = lanesAt(core.x + i), y = lanesAt(core.y + i);
+        const FourFloats x = lanesAt(core.x + i), y = lanesAt(core.y + i);
         store(pose.cos * x - pose.sin * y + pose.position.x(), buffer.x + i);
         store(pose.sin * x + pose.cos * y + pose.position.y(), buffer.y + i);
-        const Lanes nx = lanesAt(core.normalX + i), ny = lanesAt(core.normalY + i);
+        const FourFloats nx = lanesAt(core.normalX + i), ny = lanesAt(core.normalY + i);
         store(pose.cos * nx - pose.sin * ny, buffer.normalX + i);
         store(pose.sin * nx + pose.cos * ny, buffer.normalY + i);
     }

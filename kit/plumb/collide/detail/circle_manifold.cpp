@@ -32,7 +32,7 @@ struct Face {
 Face farthestFace(const Core& a, const Vec2f& point) {
     Row outside;
     for (std::size_t i = 0; i < a.count; i += lanes) {
-        const Lanes dx = point.x() - lanesAt(a.x + i), dy = point.y() - lanesAt(a.y + i);
+        const FourFloats dx = point.x() - lanesAt(a.x + i), dy = point.y() - lanesAt(a.y + i);
         store(lanesAt(a.normalX + i) * dx + lanesAt(a.normalY + i) * dy, outside.values + i);
     }
     const std::size_t edge = largestOf(outside, a.count);

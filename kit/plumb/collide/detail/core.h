@@ -13,14 +13,14 @@
 
 namespace plumb {
 
-using Lanes = Eigen::Array4f;
+using FourFloats = Eigen::Array4f;
 inline constexpr std::size_t lanes = 4;
 
-inline Lanes lanesAt(const float* from) {
-    return Eigen::Map<const Lanes>(from);
+inline FourFloats lanesAt(const float* from) {
+    return Eigen::Map<const FourFloats>(from);
 }
-inline void store(const Lanes& values, float* to) {
-    Eigen::Map<Lanes>{to} = values;
+inline void store(const FourFloats& values, float* to) {
+    Eigen::Map<FourFloats>{to} = values;
 }
 
 /// A view of a Convex, or of one that was transformed. Rows are filled up to a multiple of four with copies of the

@@ -40,13 +40,13 @@ struct FacingEdges {
     static constexpr int edgeBit = 0x80;  ///< as in core_manifold.h
 
     F startX, startY, alongX, alongY;  ///< of the reference edge: its start, and the way from there to its end [m]
-    F normalX, normalY;            ///< of the reference edge, outward
-    F highX, highY, lowX, lowY;    ///< ends of the incident edge [m]
-    I edge, start, end;            ///< numbers of the reference edge and of its corners
-    I incidentEdge, high, low;     ///< numbers of the incident edge and of its corners
-    F radius, incidentRadius;      ///< around the two cores [m]
-    F rounding;                    ///< lengths below this are rounding errors [m]
-    F slack;                       ///< lengths below this are insignificant [m]
+    F normalX, normalY;                ///< of the reference edge, outward
+    F highX, highY, lowX, lowY;        ///< ends of the incident edge [m]
+    I edge, start, end;                ///< numbers of the reference edge and of its corners
+    I incidentEdge, high, low;         ///< numbers of the incident edge and of its corners
+    F radius, incidentRadius;          ///< around the two cores [m]
+    F rounding;                        ///< lengths below this are rounding errors [m]
+    F slack;                           ///< lengths below this are insignificant [m]
 
     /// A point of the incident edge.
     struct EdgePoint {

@@ -25,8 +25,8 @@ struct Axis {
 Axis bestAxisOfFew(const Core& a, const Core& b) {
     Row separation;
     for (std::size_t i = 0; i < a.count; i += lanes) {
-        const Lanes nx = lanesAt(a.normalX + i), ny = lanesAt(a.normalY + i);
-        Lanes lowest = nx * b.x[0] + ny * b.y[0];
+        const FourFloats nx = lanesAt(a.normalX + i), ny = lanesAt(a.normalY + i);
+        FourFloats lowest = nx * b.x[0] + ny * b.y[0];
         for (std::size_t j = 1; j < b.count; ++j) lowest = lowest.min(nx * b.x[j] + ny * b.y[j]);
         store(lowest - (nx * lanesAt(a.x + i) + ny * lanesAt(a.y + i)), separation.values + i);
     }

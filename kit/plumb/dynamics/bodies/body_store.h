@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include <plumb/dynamics/bodies/flight_law.h>
 #include <plumb/collide/lanes/body_place.h>
+#include <plumb/dynamics/bodies/flight_law.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/dynamics/body_def.h>
 #include <plumb/dynamics/id.h>

@@ -9,8 +9,8 @@
 #pragma once
 #include <cstddef>
 
-#include <plumb/dynamics/bodies/softness.h>
 #include <plumb/collide/lanes/body_place.h>
+#include <plumb/dynamics/bodies/softness.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 
 namespace plumb {

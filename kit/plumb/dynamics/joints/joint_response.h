@@ -2,7 +2,7 @@
 // How does an impulse in a joint change the velocities of its bodies?
 #pragma once
 #include <plumb/dynamics/bodies/body_store.h>
-#include <plumb/math/detail/vec3.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 

@@ -19,7 +19,7 @@
 #include <plumb/dynamics/joints/kinds/target_joint.h>
 #include <plumb/dynamics/joints/kinds/weld_joint.h>
 #include <plumb/dynamics/joints/kinds/wheel_joint.h>
-#include <plumb/math/detail/vec3.h>
+#include <plumb/math/detail/arrays.h>
 
 namespace plumb {
 

@@ -49,8 +49,8 @@ struct LaneReuser {
                                sizeOf(pairs.halfXB + lane, pairs.halfYB + lane, pairs.radiusB + lane));
         const F allowed = smaller(all(farthest), size * farthestShare);
         const I count = loadLanes<W>(manifolds.count + lane);
-        const F moved = r.shiftX * r.shiftX + r.shiftY * r.shiftY;
-        const M turned = magnitude(sin) > all(farthestTurn), unknown = cos<all(0.5f), quick = moved> all(fast * fast),
+        const F shift = r.shiftX * r.shiftX + r.shiftY * r.shiftY;
+        const M turned = magnitude(sin) > all(farthestTurn), unknown = cos<all(0.5f), quick = shift> all(fast * fast),
                 spins = r.turn > all(fast), none = count == I{};
         I bad = one(turned) | one(unknown) | one(quick) | one(spins) | one(none);
         for (int p = 0; p < 2; ++p) {
