@@ -26,8 +26,8 @@ struct Extent {
     Vec2f lower, upper;
 };
 
-/// A rotated box reaches |c| hx + |s| hy along x, hx and hy its half sizes. Floats around the body's centre: a place
-/// far from the origin costs no digits, and it takes a fraction of the time of doubles.
+/// A rotated box reaches |c| hx + |s| hy along x, hx and hy its half sizes. Floats are exact enough around the body's
+/// centre, wherever the body is.
 Extent boxExtent(const BoxOutline& box, float c, float s) {
     const Vec2f center(c * box.centerX - s * box.centerY, s * box.centerX + c * box.centerY);
     const float absC = std::fabs(c), absS = std::fabs(s);

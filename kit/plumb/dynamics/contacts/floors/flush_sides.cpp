@@ -12,8 +12,8 @@ namespace {
 /// one AND. Each is 5.6 degrees wide.
 constexpr int sectors = 64;
 
-/// The sector of a direction. The angle is right to 0.2 degrees: it comes from the place on the square |x| + |y| = 1,
-/// and a cubic correction. An arc tangent would cost more than all the rest of the question.
+/// The sector of a direction, without an arc tangent: the angle comes from the place on the square |x| + |y| = 1, and a
+/// cubic correction, right to 0.2 degrees.
 int sectorOf(float x, float y) {
     const float place = std::fabs(y) / (std::fabs(x) + std::fabs(y)) - 0.5f;  // from -1/2 to 1/2 in a quarter
     const float quarters = 0.5f + place * (1.25f - place * place);
