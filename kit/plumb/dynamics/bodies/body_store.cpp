@@ -36,8 +36,8 @@ BodyStore::BodyStore() {
     acquire();  // slot 0
 }
 
-/// All arrays are parallel: one that is left out here would only grow later, but one that is left out in acquire would
-/// be read beyond its end.
+/// The arrays by slot, and the lists that may name every body. An array that is left out here grows later; one that is
+/// left out in acquire would be read beyond its end.
 void BodyStore::reserve(std::size_t bodies) {
     motion.reserve(bodies);
     record.reserve(bodies);
@@ -56,8 +56,7 @@ void BodyStore::reserve(std::size_t bodies) {
     free.reserve(bodies);
 }
 
-/// A slot, of a removed body if there is one: the last one freed, whose data may still be in the cache. release has put
-/// all of it back to the start.
+/// A slot of a removed body, which release has reset, or a new one.
 BodyIndex BodyStore::acquire() {
     if (!free.empty()) {
         const BodyIndex body = free.back();
@@ -132,7 +131,9 @@ void BodyStore::rest(BodyIndex body) {
     kick[body] = {};
 }
 
-/// The place at the step's start, from which sensors measure a path, is that of the centre of mass: it moves with it.
+/// Edits move a centre of mass between steps. Then the place where the step began moves with it, because queries
+/// measure from there how far the body has come. Test: "it is found there too when its centre of mass is put back to
+/// where it was before the step"
 void BodyStore::recenterPlace(BodyIndex body, const Vec2& shift) {
     BodyPlace& then = place[body];
     const Rot turned{static_cast<double>(then.cos), static_cast<double>(then.sin)};
@@ -153,8 +154,8 @@ bool isInRange(const Acceleration& a) {
     return isInRange(a.linear) && isInRange(a.angular);
 }
 
-/// The only way in which phases write a body's motion: numbers that are out of range go no further. The body keeps its
-/// last state, and the step's next takeOut puts it in quarantine.
+/// Phases store motions through this: numbers that are out of range go no further. The body keeps its last state, and
+/// the next takeOut of the step puts it in quarantine.
 void storeMotion(BodyStore& bodies, BodyIndex body, const BodyMotion& motion) {
     if (isInRange(motion))
         bodies.motion[body] = motion;
@@ -204,7 +205,8 @@ void setMass(BodyRecord& body, const Mass& mass) {
     body.localCenter = mass.center;
     if (body.type != BodyType::Dynamic) {
         body.mass = body.inertia = body.inverseMass = body.inverseInertia = 0;
-        // Any finite number does: the inverse mass is 0. It must not be 0, as w is divided by it.
+        // Not 0, as for a body that cannot turn: w = omega / rho carries the spin of a kinematic body, which its
+        // contacts need.
         body.inverseGyration = body.gyration = 1;
         return;
     }
