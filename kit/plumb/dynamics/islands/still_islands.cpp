@@ -13,8 +13,8 @@ namespace plumb {
 
 namespace {
 
-/// How far a body may come in a step, as the narrow phase sees it [m]. At rest that is g dt^2 / 2: its load is not in
-/// it.
+/// How far a body may come in a step, as the narrow phase sees it [m]. At rest it is g dt^2 / 2, because the prediction
+/// contains no contact forces.
 float reachOf(const BodyStore& bodies, BodyIndex body) {
     const BodyPlace& place = bodies.place[body];
     return Vec2f(place.shiftX, place.shiftY).norm() + place.turn;

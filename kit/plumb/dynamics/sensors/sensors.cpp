@@ -90,8 +90,8 @@ private:
     BodyPaths& paths_;
 };
 
-/// Begins are what is inside now and was not, ends what was and is not; what passed within the step is both. Sorted
-/// lists make this O(n), and the order of the events that of the shapes.
+/// Begins are what is inside now and was not, ends what was and is not; what has only passed within the step is both.
+/// The lists are sorted, so the order of events is that of the shapes.
 void makeEvents(SensorStore& store, std::vector<SensorBegin> now, std::vector<SensorBegin> passed) {
     sortOnce(now);
     sortOnce(passed);
