@@ -147,7 +147,8 @@ void setSolverMass(ContactGraph& graph, const ContactStore& contacts, BodyStore&
 
 namespace {
 
-/// Number of sweeps over the points of a single contact; each sweep leaves a quarter of the error [-].
+/// Number of sweeps over the points of a single contact [-]; each sweep leaves a quarter of the error, so that eight
+/// leave 2e-5 of it. Without a guess, the turn that the first sweeps leave is not taken back.
 constexpr int sweeps = 8;
 
 /// Points with a separation up to this carry load [m].

@@ -147,7 +147,7 @@ void setOutline(ContactStore& store, ProxyId proxy, const BoxOutline& box, const
     outline.corners = convex.count > 1 && convex.count <= mostCorners ? static_cast<std::uint8_t>(convex.count) : 0;
     store.corners.resize(count);
     store.corners[proxy] = outline.corners > 0 ? rowsOf(convex, 0) : CornerRows{};
-    // Most worlds have no polygon of more than four corners, and save a cache line a shape.
+    // A world without polygons of more than four corners saves a cache line a shape.
     if (outline.corners <= 4 && store.moreCorners.empty()) return;
     growMoreCorners(store);
     store.moreCorners[proxy] = outline.corners > 0 ? rowsOf(convex, 4) : CornerRows{};

@@ -33,7 +33,7 @@ void Crowd::noteAdded(const ShiftedShapes& pair) {
     for (const ProxyId proxy : {pair.shapes.a, pair.shapes.b}) ++overlaps_[space_.filterKey(proxy).owner].added;
 }
 
-/// Goes through the pairs that were left out, at the start of each step: O(pairs) while there is a crowd. The space
+/// Goes through the pairs that were left out, before the new ones of a step: O(pairs) while there is a crowd. The space
 /// does not report them again, as their bounds overlap all the time.
 void Crowd::takeBack(FunctionRef<void(const ShiftedShapes&)> add) {
     const auto staysOut = [&](const Pair& shapes) {

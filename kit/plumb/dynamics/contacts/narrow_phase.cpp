@@ -35,7 +35,8 @@ void NarrowPhase::collideSolved() {
     parted_.insert(parted_.end(), through.begin(), through.end());
     removeParted(contacts_.nearBoxes);
     removeParted(contacts_.nearOthers);
-    // Whoever has a manifold in this step sets met again. What has none at the end has parted.
+    // mayArrive sets met where a contact has a manifold in this step. Where it is still false at the end, the two have
+    // parted.
     for (const ContactIndex index : contacts_.watched) contacts_[index].met = false;
     for (const ContactIndex index : contacts_.withVerdict) contacts_[index].met = false;
 }

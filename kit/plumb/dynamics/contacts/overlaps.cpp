@@ -11,8 +11,8 @@ namespace {
 /// than loads press bodies in at rest (millimetres), so that what only rests is never shifted.
 constexpr double shallow = 0.01, shallowShare = 0.1;
 
-/// In terms of the thinner one of the bodies that the spring can move: the thickness of a floor says nothing about how
-/// far a crate may be shifted.
+/// Of the thinner one of the bodies that the spring can move: the thickness of a floor says nothing about how far a
+/// crate may be shifted.
 float shallowOf(const BodyStore& bodies, const ContactRecord& contact) {
     double inradius = shallow / shallowShare;
     for (const BodyIndex body : {contact.bodyA, contact.bodyB})
@@ -20,8 +20,8 @@ float shallowOf(const BodyStore& bodies, const ContactRecord& contact) {
     return static_cast<float>(shallowShare * inradius);
 }
 
-/// The solver sees a separation of -least at the most. Both copies are changed, because separations during the step
-/// count from startSeparation. Returns true if something is hidden.
+/// The solver sees no separation below -least. Both copies are changed, because separations during the step count from
+/// startSeparation. Returns true if something is hidden.
 bool hide(ContactGraph& graph, const ContactRecord& contact, float least, DeepContact& overlap) {
     ContactBatch& batch = graph.colours[contact.colour].batches[contact.slot / batchLanes];
     const std::size_t lane = contact.slot % batchLanes;

@@ -93,7 +93,7 @@ void PairCollider::collideNear(const PairBatch& batch, FreshLanes& fresh) const 
 }
 
 /// What has hardly moved since it was collided keeps its manifold (lanes/reuse_lanes.h): in a heap at rest that is
-/// nearly all. The other lanes are collided, and what they find is noted for the steps to come.
+/// most of them. The other lanes are collided, and what they find is noted for the steps to come.
 void PairCollider::collideSolved(const PairBatch& batch, const ManifoldLanes& manifolds, KeptLanes& kept,
                                  FreshLanes& fresh) const {
     setPeriodicOffsets(batch.contacts, batch.count, fresh);

@@ -84,7 +84,7 @@ public:
     TouchEvents events;
 
 private:
-    /// Two bounds in place of one: a touch begins at 0 and ends at apart. With a single one, what trembles on the
+    /// Two bounds in place of one: a touch begins at 0 and ends at apart. With a single one, what jitters on the
     /// ground would begin and end in every other step.
     void search(ContactRecord& contact) {
         const TouchNow touch = touchOf(graph_, contact);
@@ -116,7 +116,7 @@ private:
 
 }  // namespace
 
-/// O(contacts in the solver) in vectors, and O(watched contacts). Called after the bodies have moved, so that
+/// O(contacts in the solver) in vectors, and O(watched contacts). Called after the bodies have moved: the solver's
 /// separations are those at the step's end.
 TouchEvents findTouchEvents(ContactGraph& graph, ContactStore& contacts, const BodyStore& bodies, double hitSpeed) {
     TouchSearch search(graph, contacts, bodies, hitSpeed);

@@ -139,6 +139,7 @@ private:
 };
 
 /// Sets the law of a flight on which only steady fields act: their force is the same everywhere.
+/// Uniform gravity and linear drag add to the constants of the closed form: no sub-steps, and no error.
 void setSteadyLaw(FieldStore& fields, const BodyStore& bodies, const Space& space, PredictedFlight& flight,
                   FlightAccount& account) {
     const BodyRecord& record = bodies.record[flight.body];
@@ -179,6 +180,8 @@ void predictFlights(FieldStore& fields, BodyStore& bodies, const Space& space, d
     Flights(fields, bodies, space, dt).run(dt);
 }
 
+/// Called by the impacts, after each bounce of a body in varying fields, for the rest of the step, and for the time up
+/// to a bounce.
 FieldFlight flightFrom(FieldStore& fields, const BodyStore& bodies, const Space& space, const PredictedFlight& before,
                        const BodyMotion& from, double start, double time) {
     FieldFlight result{before, {}};

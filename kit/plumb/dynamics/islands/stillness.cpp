@@ -10,7 +10,8 @@ namespace plumb {
 
 namespace {
 
-/// The number of parts of a watch, each with its mean speed [-]. More parts are shorter, and jitter shows more.
+/// The number of parts of a watch, each with its mean speed [-]. More parts are shorter, and jitter shows more. Five
+/// are 0.1 s each with the default sleepTime: whole numbers of steps at 30, 60 and 120 Hz.
 constexpr double partsOfWatch = 5;
 /// A mean speed that has risen by less than this share of sleepSpeed has not risen [-].
 constexpr double leastGain = 1e-3;

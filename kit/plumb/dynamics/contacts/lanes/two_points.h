@@ -47,7 +47,7 @@ struct TwoPoints {
     /// The impulses after which the points have no speed that pushes them together. speed: with the bias.
     [[gnu::always_inline]] inline Each normals(const Each& old, const Each& speed, const Each& share) const {
         const F m0 = share.at[0] * mass.at[0], m1 = share.at[1] * mass.at[1];
-        // The impulse of a point if the other one's were 0; coupling * alone is what the other one takes away.
+        // The impulse of each point if the other one's were 0.
         const F alone0 = share.at[0] * old.at[0] + m0 * (coupling * old.at[1] - speed.at[0]);
         const F alone1 = share.at[1] * old.at[1] + m1 * (coupling * old.at[0] - speed.at[1]);
         const F both = share.at[0] * share.at[1], least = F{} + 1e-30F;
