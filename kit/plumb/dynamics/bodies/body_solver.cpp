@@ -28,6 +28,7 @@ SinCosMinus1 turnedFar(float angle) {
 
 void kickBodies(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, bool first) {
     for (const std::uint32_t* body = list; body != list + count; ++body) {
+        // All four fields alike, so that it is one vector operation: the inverse mass has keep 1 and gain 0.
         Row v = rowOf(bodies.velocity[*body]), warm = rowOf(bodies.warm[*body]);
         const Row before = rowOf(first ? bodies.velocity[*body] : bodies.before[*body]);
         const Row gain = rowOf(bodies.kick[*body].gain), keep = rowOf(bodies.kick[*body].keep);

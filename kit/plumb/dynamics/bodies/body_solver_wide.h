@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How do W bodies move at once?
+//
+// A body's displacement is counted from the step's start, not from the last sub-step: small numbers in floats, which
+// are added to the place in double once, at the step's end (solver/solver.cpp). Rows are read and written by slots; W
+// bodies of a list are different, or the slot 0 of the padding, which does not move.
 #pragma once
 #include <plumb/dynamics/bodies/body_solver.h>
 #include <plumb/math/detail/wide_ops.h>
@@ -12,7 +16,9 @@ struct BodyMover {
     using F = typename Wide<W>::Float;
     using Array = float[static_cast<std::size_t>(W)];
 
-    /// The series are exact to float precision up to smallTurn.
+    /// The series are exact to float precision up to smallTurn: at 0.5 rad, the first term that is left out is 5e-9 of
+    /// the sine and 3e-10 of cos a - 1. That one is a series of its own, because 1 - cos a loses all digits at small
+    /// angles.
     static F sine(F a) {
         const F a2 = a * a;
         return a * (1.0f - a2 * (1.0f / 6 - a2 * (1.0f / 120 - a2 * (1.0f / 5040))));
@@ -22,6 +28,7 @@ struct BodyMover {
         return -a2 * (0.5f - a2 * (1.0f / 24 - a2 * (1.0f / 720 - a2 * (1.0f / 40320))));
     }
 
+    /// One by one, as bodies that turn by more than half a radian in a step are few.
     static void correctFar(F angle, Rows<W>& d, F gyration) {
         Array angles, inverse, sines, cosines;
         storeLanes(angles, angle);
@@ -46,6 +53,7 @@ struct BodyMover {
         return far;
     }
 
+    /// Lanes without a break at the first: so that compilers can vectorize the loop. The same in anyFar.
     static bool anyFast(F squared, F limit) {
         Array speeds, limits;
         storeLanes(speeds, squared);
@@ -55,7 +63,8 @@ struct BodyMover {
         return some;
     }
 
-    /// Appends the fast ones of W bodies, before they move.
+    /// Appends the fast ones of W bodies, with their displacement before they move: the search for walls needs the path
+    /// of the sub-step (walls/wall_stops.h).
     static std::size_t addFast(const std::uint32_t* at, const SolverBodies& bodies, FastBody* fast) {
         std::size_t count = 0;
         for (int i = 0; i < W; ++i) {
@@ -68,6 +77,9 @@ struct BodyMover {
         return count;
     }
 
+    /// One pass over the solved bodies in each sub-step: x += v h, angle += rho w h, and from the angle the sine and
+    /// cosine by which contacts turn their anchors. They are stored over rho, as anchors are stored times rho: products
+    /// need no further factor.
     static std::size_t move(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, float h,
                             FastBody* fast) {
         std::size_t found = 0;

@@ -40,6 +40,9 @@ BodyMotion moveFreely(const BodyMotion& from, const FlightLaw& law, double time)
     return to;
 }
 
+/// After the solver, O(awake bodies): what neither the impacts nor the solver have moved goes the whole step at once.
+/// So a body that meets nothing is exact at any dt. Where varying fields act, the law leads to the right place, and
+/// rest corrects the velocity.
 void moveFreeBodies(BodyStore& bodies, double dt, StepObserver* observer) {
     for (const BodyIndex body : bodies.awake) {
         if (!bodies.isMovedBy(body, MovedBy::ClosedForm)) continue;

@@ -5,7 +5,7 @@
 // With dv/dt = a - k v: v = v0 e^-kt + a E, x = x0 + v0 E + a (t - E) / k, E = (1 - e^-kt) / k.
 // x position [m], v velocity [m/s], a acceleration [m/s^2], k damping [1/s], t time [s]; the same for the angle.
 // Source: textbook. Exact to rounding for any t.
-// Test: "a thrown ball is where the formula says at every tick"
+// Test: "a thrown ball is where the formula says at every tick, at 60 Hz and at 20 Hz"
 #pragma once
 #include <vector>
 

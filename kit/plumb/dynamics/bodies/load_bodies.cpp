@@ -41,6 +41,7 @@ void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
     const double angle = (std::fabs(motion.angularVelocity) + std::fabs(a.angular) * dt) * dt;
     place.shiftX = static_cast<float>(shift.x());
     place.shiftY = static_cast<float>(shift.y());
+    // A chord is at most two radii long, however far the body turns.
     place.turn = static_cast<float>(record.turningRadius * std::min(angle, 2.0));
     place.pullX = static_cast<float>(a.linear.x() * (0.5 * dt));
     place.pullY = static_cast<float>(a.linear.y() * (0.5 * dt));
@@ -55,6 +56,7 @@ void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
         bodies.kick[body] = {};
         return;
     }
+    // By the closed form of damped motion, so that any damping is stable, and exact for a body without contacts.
     const double half = 0.5 * dt / bodies.subSteps;
     const Decay linear = decay(law.linearDamping, half);
     const Decay angular = decay(law.angularDamping, half);

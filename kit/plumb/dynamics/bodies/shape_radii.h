@@ -17,8 +17,8 @@ double inradiusOf(const Shape& shape);
 /// sensors do not count; infinite when there are no others [m].
 double halfThicknessOf(std::span<const ShapeDef> shapes);
 /// A dynamic body needs a part of which half the thickness is this: contacts, which are soft and predicted a few
-/// millimetres ahead, hold thinner ones badly [m]. Test: "whatever is as thick as 2 mm rests where it was put, or
-/// falls, on any floor"
+/// millimetres ahead, do not support thinner ones reliably [m]. Test: "whatever is as thick as 2 mm rests where it was
+/// put, or falls, on any floor"
 inline constexpr double leastHalfThickness = 1e-3;
 
 /// The largest distance from center of a point that a rotation about center can move along a contact normal [m]. The

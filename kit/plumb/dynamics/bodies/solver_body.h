@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which data of a body does the solver use? Records of four floats, so that one vector operation loads a whole record.
 //
-// A body's velocity has two shadows, because contacts are warm-started: each half sub-step adds to it the impulses that
-// contacts have given so far. What contacts gave in the last half is velocity - before; kickBodies adds it to warm.
-// So whoever changes velocity, and is not a contact, adds the same to before (fields, impacts at walls) or sets before
-// to the new velocity when it is done (joints, with markBodies): else the change is counted as a contact's, and given
-// again in the next half. warm is written by kickBodies, and by joints when they read what contacts gave.
+// A body's velocity has two companions, because contacts are warm-started: each half sub-step adds to it the changes
+// that contacts have made so far. Their change in the last half is velocity - before; kickBodies adds it to warm. So
+// whoever changes velocity, and is not a contact, adds the same to before (fields, impacts at walls) or sets before to
+// the new velocity when it is done (joints, with markBodies): else the change counts as a contact's, and is applied
+// again in the next half. warm is written by kickBodies, and by joints when they read what contacts have changed.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -50,7 +50,7 @@ struct Kick {
 struct SolverBodies {
     SolverVelocity* velocity = nullptr;
     SolverVelocity* warm = nullptr;    ///< velocity change by all warm-start impulses of the body's contacts
-    SolverVelocity* before = nullptr;  ///< the velocity without what contacts have given since
+    SolverVelocity* before = nullptr;  ///< the velocity without what contacts have changed since
     SolverDisplacement* displacement = nullptr;
     SolverTurn* turn = nullptr;
     const Kick* kick = nullptr;

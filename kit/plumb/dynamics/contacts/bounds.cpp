@@ -15,8 +15,10 @@ namespace plumb {
 namespace {
 
 /// New bounds are larger than this step needs by this margin, so that a slow body keeps its bounds for many steps [m].
+/// A larger one finds more pairs that do not touch, a smaller one places bounds more often.
 constexpr double boundsMargin = 0.01;
-/// Of the numbers of which bounds are made [-].
+/// Rounding error of an extent, as a share of it [-]: about four times 2^-23, the spacing of floats, for a few products
+/// and sums. Bounds must contain their shapes, or a pair is lost.
 constexpr float roundings = 5e-7f;
 
 /// Bounds relative to a body's centre [m].
@@ -24,6 +26,8 @@ struct Extent {
     Vec2f lower, upper;
 };
 
+/// A rotated box reaches |c| hx + |s| hy along x, hx and hy its half sizes. Floats are exact enough around the body's
+/// centre, wherever the body is.
 Extent boxExtent(const BoxOutline& box, float c, float s) {
     const Vec2f center(c * box.centerX - s * box.centerY, s * box.centerX + c * box.centerY);
     const float absC = std::fabs(c), absS = std::fabs(s);
@@ -50,6 +54,8 @@ Extent polygonExtent(const ContactStore& contacts, ProxyId proxy, float c, float
     return {extent.lower - Vec2f(box.radius, box.radius), extent.upper + Vec2f(box.radius, box.radius)};
 }
 
+/// Boxes, discs, and polygons of up to eight corners are read from the outlines of the contacts, which lie side by
+/// side; others, in double, from their shapes.
 Extent extentOf(const Space& space, const BodyStore& bodies, const ContactStore& contacts, BodyIndex body,
                 ProxyId proxy) {
     const BoxOutline& box = contacts.boxes[proxy];
@@ -69,6 +75,8 @@ float sensorTurn(const Shape& shape, const BodyRecord& record, const BodyMotion&
 
 }  // namespace
 
+/// Free flight to the step's end, from loadBody. A bounding box that went around the world would pair the body with
+/// everything.
 Vec2 predictedShift(const BodyStore& bodies, BodyIndex body) {
     const BodyPlace& place = bodies.place[body];
     const Vec2 shift(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY));
@@ -76,6 +84,7 @@ Vec2 predictedShift(const BodyStore& bodies, BodyIndex body) {
 }
 
 double excessOfPrediction(const BodyStore& bodies, BodyIndex body, const Vec2& moved, double turned) {
+    // The prediction's box reaches from 0 to predicted: outside of it counts.
     const auto excess = [](double actual, double predicted) {
         return std::max(std::min(predicted, 0.0) - actual, actual - std::max(predicted, 0.0));
     };
@@ -98,6 +107,8 @@ void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& cont
         const Extent now = extentOf(space, bodies, contacts, body, proxy);
         const bool sensor = outline.sensor && moves;
         const float swing = sensor ? sensorTurn(space[proxy].def.shape, record, motion, dt) : turn;
+        // Half of the contact margin is here, half in the bounds of the other shape: so all pairs within the margin are
+        // found.
         const float back = outline.restitution * path, spare = 0.5f * contactMargin + swing;
         const Vec2f below(spare + std::max(back, -shift.x()), spare + std::max(back, -shift.y()));
         const Vec2f above(spare + std::max(back, shift.x()), spare + std::max(back, shift.y()));
@@ -107,6 +118,7 @@ void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& cont
     }
 }
 
+/// The step's load phase, O(awake bodies). A wall that stands still keeps its bounds, and is not visited.
 void loadBodies(BodyStore& bodies, Space& space, const ContactStore& contacts, double dt) {
     bodies.someSpin = false;
     for (const BodyIndex body : bodies.awake) {
@@ -114,6 +126,7 @@ void loadBodies(BodyStore& bodies, Space& space, const ContactStore& contacts, d
         bodies.someSpin = bodies.someSpin || std::fabs(bodies.motion[body].angularVelocity) * dt > spinningTurn;
         if (bodies.record[body].quarantined) continue;
         placeBounds(space, bodies, contacts, body, dt);
+        // What woke after the last step's load has bounds again that fit its motion.
         bodies.step[body].boundsPending = false;
     }
 }
@@ -136,7 +149,8 @@ void addStale(const Space& space, const BodyStore& bodies, BodyIndex body, std::
     }
 }
 
-/// Waits until no other thread holds the flag, then holds it.
+/// Waits until no other thread holds the flag, then holds it. Queries from several threads may be the first after a
+/// step; one computes the list, the others spin for that long.
 class HeldFlag {
 public:
     explicit HeldFlag(std::atomic_flag& flag) : flag_(flag) {
@@ -170,6 +184,8 @@ bool isSurelyWithin(const BodyStore& bodies, BodyIndex body) {
 
 }  // namespace
 
+/// O(awake bodies) at the first query after a step, with an exact box for the few that pushes have moved out of their
+/// bounds. A world that is never asked pays nothing.
 std::span<const StaleBound> StaleBounds::of(const Space& space, const BodyStore& bodies) const {
     if (known_) return bounds_;
     const HeldFlag held(busy_);

@@ -34,7 +34,7 @@ struct alignas(64) ContactBatch {
     Lanes<float> rollInverseGyrationA, rollInverseGyrationB;  ///< rho of the bodies [1/m]
     Lanes<float> rollMass;                                    ///< effective inertia [kg m^2]
     Lanes<float> rollImpulse;                                 ///< in half a sub-step [N m s]
-    Lanes<std::int32_t> pushed;                               ///< not 0: the contact has given an impulse in this step
+    Lanes<std::int32_t> pushed;                           ///< not 0: the contact has applied an impulse in this step
     bool bounces, hasSurfaceSpeed, hasRollingResistance;  ///< some lane may have restitution, surfaceSpeed, rollingArm
 };
 

@@ -10,12 +10,16 @@ namespace plumb {
 
 namespace {
 
+/// Greedy colouring with one bit for each colour: the lowest colour that is free at both bodies, or the overflow
+/// colour. O(1). Low colours fill first, so that batches are full.
 int freeColour(std::uint32_t used, int first, int end) {
     const std::uint32_t available = ~used & (~std::uint32_t{0} << first);
     const int colour = std::countr_zero(available);
     return colour < end ? colour : overflowColour;
 }
 
+/// The flags of a batch only say that some lane may need the code. They are never cleared: that would take a look at
+/// all lanes, and a batch that is empty is removed.
 void copyLane(Colour& to, std::size_t toSlot, const ContactBatch& batch, const ManifoldLanes& manifolds,
               std::size_t lane) {
     ContactBatch& target = to.batches[toSlot / batchLanes];
@@ -34,6 +38,8 @@ void append(std::vector<Batch>& batches) {
     batches.push_back(Batch{});
 }
 
+/// A body that no impulse moves may be in several lanes of a batch: its velocity is stored as it was loaded. So its
+/// colours are not asked; else a floor would use all of them up.
 int chooseColour(const BodyStore& bodies, BodyIndex a, BodyIndex b) {
     const bool pushA = bodies.isDynamic(a), pushB = bodies.isDynamic(b);
     const std::uint32_t used = (pushA ? bodies.links[a].colours : 0) | (pushB ? bodies.links[b].colours : 0);
@@ -42,6 +48,8 @@ int chooseColour(const BodyStore& bodies, BodyIndex a, BodyIndex b) {
 
 }  // namespace
 
+/// Only the narrow phase adds contacts, when their shapes begin to touch or may touch in the step. Before and after:
+/// all batches of a colour but the last are full, and contact, slot and lane name each other.
 void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex index, const ContactBatch& batch,
                        const ManifoldLanes& manifolds, std::size_t lane) {
     ContactRecord& contact = contacts[index];
@@ -74,6 +82,8 @@ void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex i
 void ContactGraph::sortOverflow(ContactStore& contacts) {
     for (std::size_t kind = 0; kind < 2; ++kind) {
         Colour& colour = colours[2 * static_cast<std::size_t>(overflowColour) + kind];
+        // Sorted every step, but hardly ever out of order: the test is O(n), and a copy of the colour is made only if a
+        // contact came or went. Test: "a crowd that bounces 1 km away does not change a bit of how 60 bodies pile up"
         const auto comesFirst = [&contacts](ContactIndex a, ContactIndex b) {
             return shapesOf(contacts[a]) < shapesOf(contacts[b]);
         };
@@ -128,6 +138,8 @@ float ContactGraph::separationOf(const ContactRecord& contact, std::size_t point
     return batch.points[point].separation[contact.slot % batchLanes];
 }
 
+/// The record gets the manifold and the impulses, so that a contact that comes back, or wakes, starts with its load.
+/// The caller puts it among the near contacts, or leaves it asleep.
 void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactIndex index) {
     ContactRecord& contact = contacts[index];
     if (!contact.isSolved()) return;
@@ -144,6 +156,8 @@ void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactInde
         --links.solverContacts;
         if (shared != overflowColour) links.colours &= ~(std::uint32_t{1} << shared);
     }
+    // The last contact moves into the gap. Its old lane is emptied, not just forgotten: whole vectors are solved, and
+    // bodies and masses of unused lanes must be 0.
     copyLane(colour, slot, colour.batches.back(), colour.manifolds.back(), last % batchLanes);
     copyLane(colour, last, ContactBatch{}, ManifoldLanes{}, 0);
     copyLane(colour.pairs[slot / batchLanes], slot % batchLanes, colour.pairs.back(), last % batchLanes, pairRows);
@@ -187,6 +201,8 @@ void removeContact(ContactGraph& graph, ContactStore& contacts, BodyStore& bodie
     contacts.remove(bodies, contact);
 }
 
+/// Edits call it between steps, and sleep for a contact with a body that stays awake. Near contacts keep their impulses
+/// in their records: if it still touches, the next narrow phase puts it back with its load.
 void renewContact(ContactGraph& graph, ContactStore& contacts, BodyStore& bodies, ContactIndex contact) {
     if (contacts[contact].state == ContactState::Asleep) return;  // it is updated when it wakes
     graph.remove(bodies, contacts, contact);

@@ -10,9 +10,10 @@
 namespace plumb {
 
 /// Colours are solved in order. A contact of two dynamic bodies gets the lowest colour that is free at both. A contact
-/// with a static or kinematic body gets a colour from fixedColour on, so that it is solved last and holds best. A
-/// contact for which no colour is free gets the last one, in which bodies may repeat and lanes are solved one after the
-/// other.
+/// with a static or kinematic body gets a colour from fixedColour on, so that it is solved last and its error is
+/// smallest. A contact for which no colour is free gets the last one, in which bodies may repeat and lanes are solved
+/// one after the other. A body has a bit of a word for each colour: 24 for contacts with others that move, 7 with fixed
+/// ones.
 inline constexpr int colourCount = 32;
 inline constexpr int fixedColour = 24;
 /// The bits of all colours of contacts of two dynamic bodies, in BodyLinks.colours.

@@ -9,11 +9,14 @@ namespace plumb {
 
 namespace {
 
-/// An impulse that the contact's record remembers, times this, is one of the present step.
+/// An impulse that the contact's record remembers, times this, is one of the present step. Impulses that hold a load
+/// grow with the length of the step. Test: "towers stand for a minute while the step's length changes"
 float memoryRatio(const ContactRecord& contact, const BodyStore& bodies) {
     return contact.memoryStep > 0 ? static_cast<float>(bodies.lastSolved / contact.memoryStep) : 1.0f;
 }
 
+/// rollMass = 1 / (1/IA + 1/IB) [kg m^2], I moments of inertia: the torque impulse that stops a relative spin of 1
+/// rad/s.
 void fillRolling(ContactBatch& batch, std::size_t lane, const ContactRecord& contact, const BodyStore& bodies) {
     const BodyRecord& a = bodies.record[contact.bodyA];
     const BodyRecord& b = bodies.record[contact.bodyB];
@@ -83,6 +86,7 @@ float nearestOf(const FreshLanes& fresh, std::size_t lane) {
 
 namespace {
 
+/// Anchors and rounding radii are stored times rho: they change with it.
 void scaleSide(ContactBatch& batch, std::size_t lane, bool isA, float ratio) {
     for (PointLanes& p : batch.points) {
         (isA ? p.anchorNormalA : p.anchorNormalB)[lane] *= ratio;
@@ -92,7 +96,8 @@ void scaleSide(ContactBatch& batch, std::size_t lane, bool isA, float ratio) {
     (isA ? batch.rollInverseGyrationA : batch.rollInverseGyrationB)[lane] *= ratio;
 }
 
-/// The effective masses of the contact in a lane.
+/// The effective masses of the contact in a lane (formula in contact_solver.h). A mass of 0 says that there is no such
+/// point, and stays 0.
 void findMasses(ContactBatch& batch, std::size_t lane, const std::vector<SolverVelocity>& velocity) {
     const float a = velocity[batch.bodyA[lane]].inverseMass, b = velocity[batch.bodyB[lane]].inverseMass;
     const auto massOf = [a, b](float anchorA, float anchorB) {
@@ -108,9 +113,15 @@ void findMasses(ContactBatch& batch, std::size_t lane, const std::vector<SolverV
 
 }  // namespace
 
+/// For bodies of joint islands: a contact that pushes a wheel moves the cart, so it sees the mass with which the island
+/// responds (jointed/joint_contacts.cpp). The solver puts the body's own mass back when it stores the body. O(contacts
+/// of the body).
 void setSolverMass(ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies, BodyIndex body,
                    float inverseMass, float inverseGyration) {
     SolverTurn& turn = bodies.turn[body];
+    // omega must stay, but w = omega / rho: w, and the sine of the turn, are stored over rho and change with 1 / ratio.
+    // The impulses behind warm stay, too: the velocity that they have changed grows with the inverse mass, the spin
+    // also with rho.
     const float ratio = turn.inverseGyration > 0 ? inverseGyration / turn.inverseGyration : 1.0f;
     SolverVelocity &v = bodies.velocity[body], &warm = bodies.warm[body];
     const float share = inverseMass / v.inverseMass;
@@ -136,12 +147,14 @@ void setSolverMass(ContactGraph& graph, const ContactStore& contacts, BodyStore&
 
 namespace {
 
-/// Number of sweeps over the points of a single contact; each sweep leaves a quarter of the error [-].
+/// Number of sweeps over the points of a single contact [-]; each sweep leaves a quarter of the error, so that eight
+/// leave 2e-5 of it. Without a guess, the turn that the first sweeps leave is not taken back.
 constexpr int sweeps = 8;
 
 /// Points with a separation up to this carry load [m].
 constexpr float loadedSeparation = 1e-4f;
 
+/// The velocity change by the body's acceleration in half a sub-step [m/s]: pull is that of half a step.
 SolverVelocity kickOf(const BodyStore& bodies, BodyIndex body) {
     const BodyPlace& place = bodies.place[body];
     const float share = 1 / static_cast<float>(bodies.subSteps);
@@ -179,9 +192,11 @@ void guessImpulses(ContactBatch& batch, const BodyStore& bodies, int lanes) {
     ContactBatch own = withBodiesApart(batch);
     SolverBodies alone;
     alone.velocity = velocity;
+    // No bias and no compliance: the guess is a force, and takes no part in pushing overlap out.
     const ContactPass rigid{0, {0, 1, 0}, 0};
     for (int i = 0; i < sweeps; ++i) contactSolver(lanes).solve(&own, batchLanes, alone, rigid);
     for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+        // What has impulses from an earlier touch knows its neighbours already; the guess does not.
         if (!isNew(batch, lane)) continue;
         for (std::size_t p = 0; p < 2; ++p) {
             batch.points[p].normalImpulse[lane] = own.points[p].normalImpulse[lane];

@@ -26,9 +26,9 @@ float nearestOf(const FreshLanes& fresh, std::size_t lane);
 void setSolverMass(ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies, BodyIndex body,
                    float inverseMass, float inverseGyration);
 
-/// For each lane that touches and has no impulse yet, sets the impulses that hold its two bodies against their
-/// accelerations during half a sub-step, as if the two were alone. Without this, the first sweeps of the solver turn a
-/// body that only just begins to tip.
+/// For each lane that touches and has no impulse yet, sets the impulses that balance the accelerations of its two
+/// bodies during half a sub-step, as if the two were alone. Without this, the first sweeps of the solver turn a body
+/// that only just begins to tip.
 /// Test: "a block that begins to tip turns as its formula says from the first step on"
 /// lanes: as in SolverSettings.
 void guessImpulses(ContactBatch& batch, const BodyStore& bodies, int lanes);

@@ -13,6 +13,8 @@ std::size_t at(int side) {
     return static_cast<std::size_t>(side);
 }
 
+/// A body's contacts are a doubly linked list through their records: a contact is in the lists of its two bodies. So
+/// adding and removing are O(1), and a record needs no memory of its own. A new contact comes first.
 void link(BodyStore& bodies, ContactStore& store, ContactIndex contact, int side, BodyIndex body) {
     ContactRecord& c = store[contact];
     const ContactIndex head = bodies.links[body].firstContact;
@@ -32,6 +34,9 @@ void unlink(BodyStore& bodies, ContactStore& store, ContactIndex contact, int si
     if (next != none) store[next].previous[at(store.side(next, body))] = previous;
 }
 
+/// Which code collides two shapes that are not both boxes: the cheapest that is right for them. It is chosen when the
+/// pair gets a slot. A disc on a segment with neighbours is collided one by one: lanes of discs do not know the
+/// neighbours.
 std::int32_t kernelOf(const BoxOutline& a, const BoxOutline& b) {
     using Kind = BoxOutline::Kind;
     const auto isForDiscs = [](const BoxOutline& o) { return o.kind != Kind::Other || (o.corners > 0 && !o.chained); };
@@ -41,7 +46,8 @@ std::int32_t kernelOf(const BoxOutline& a, const BoxOutline& b) {
     return a.chained || b.chained ? onChain : asPolygons;
 }
 
-/// Four corners of a polygon from this one on.
+/// Four corners of a polygon from this one on. Where it has fewer, its first corner is repeated: a copy changes neither
+/// the bounds nor the smallest distance.
 CornerRows rowsOf(const Convex& convex, std::size_t first) {
     CornerRows rows;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -54,7 +60,8 @@ CornerRows rowsOf(const Convex& convex, std::size_t first) {
     return rows;
 }
 
-/// Gives each new entry copies of its proxy's first corner.
+/// Gives each new entry copies of its proxy's first corner, so that a batch of unequal polygons can read eight corners
+/// of each.
 void growMoreCorners(ContactStore& store) {
     for (std::size_t proxy = store.moreCorners.size(); proxy < store.corners.size(); ++proxy) {
         const CornerRows& first = store.corners[proxy];
@@ -86,6 +93,8 @@ void ContactStore::remove(BodyStore& bodies, ContactIndex contact) {
     if (records[contact].verdict != Verdict::Open) std::erase(withVerdict, contact);
     if (records[contact].overlaps)
         std::erase_if(overlaps, [contact](const DeepContact& overlap) { return overlap.contact == contact; });
+    // The entry in watched may stay: findTouchEvents drops what is not near. So removing is O(1), but for the two lists
+    // above, which are short.
     unlink(bodies, *this, contact, 0, records[contact].bodyA);
     unlink(bodies, *this, contact, 1, records[contact].bodyB);
     records[contact].state = ContactState::Free;
@@ -114,12 +123,15 @@ void ContactStore::removeNear(ContactIndex contact) {
     ContactRecord& c = records[contact];
     if (!c.isNear()) return;
     NearPairs& near = nearOf(c);
+    // The last contact moves into the gap, so that lanes stay dense. That changes the order of the near contacts;
+    // NarrowPhase::sortArrivals undoes its effect.
     const std::size_t slot = c.slot, last = near.contactOf.size() - 1;
     near.contactOf[slot] = near.contactOf[last];
     records[near.contactOf[slot]].slot = static_cast<std::uint32_t>(slot);
     near.contactOf.pop_back();
     c.state = ContactState::Asleep;
     copyLane(near.lanes[slot / batchLanes], slot % batchLanes, near.lanes.back(), last % batchLanes, pairRows);
+    // Lanes that are not in use are computed with the others: their bodies must be slot 0.
     copyLane(near.lanes.back(), last % batchLanes, PairLanes{}, 0, pairRows);
     if (last % batchLanes == 0) near.lanes.pop_back();
 }
@@ -133,6 +145,7 @@ void setOutline(ContactStore& store, ProxyId proxy, const BoxOutline& box, const
     outline.corners = convex.count > 1 && convex.count <= mostCorners ? static_cast<std::uint8_t>(convex.count) : 0;
     store.corners.resize(count);
     store.corners[proxy] = outline.corners > 0 ? rowsOf(convex, 0) : CornerRows{};
+    // A world without polygons of more than four corners saves a cache line a shape.
     if (outline.corners <= 4 && store.moreCorners.empty()) return;
     growMoreCorners(store);
     store.moreCorners[proxy] = outline.corners > 0 ? rowsOf(convex, 4) : CornerRows{};
@@ -150,6 +163,8 @@ void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes
     pairs.radiusA[lane] = a.radius;
     pairs.radiusB[lane] = b.radius;
     pairs.kernel[lane] = kernelOf(a, b);
+    // The kernel of discs takes the other shape as a polygon only if it is not a box: a box's distance needs no
+    // corners.
     const bool disc = pairs.kernel[lane] == discFirst || pairs.kernel[lane] == discSecond;
     pairs.cornersA[lane] = disc && a.kind != BoxOutline::Kind::Other ? 0 : a.corners;
     pairs.cornersB[lane] = disc && b.kind != BoxOutline::Kind::Other ? 0 : b.corners;

@@ -25,6 +25,8 @@ NarrowPhase::NarrowPhase(ContactGraph& graph, ContactStore& contacts, BodyStore&
       lanes_(lanes),
       dt_(dt) {}
 
+/// First what is in the solver, as its slots do not move in the meantime: what has parted is only noted, and goes in
+/// finish().
 void NarrowPhase::collideSolved() {
     contacts_.predicted.clear();
     FreshLanes fresh{};  // lanes that are not in use are prepared, too: they must be finite
@@ -33,6 +35,8 @@ void NarrowPhase::collideSolved() {
     parted_.insert(parted_.end(), through.begin(), through.end());
     removeParted(contacts_.nearBoxes);
     removeParted(contacts_.nearOthers);
+    // mayArrive sets met where a contact has a manifold in this step. Where it is still false at the end, the two have
+    // parted.
     for (const ContactIndex index : contacts_.watched) contacts_[index].met = false;
     for (const ContactIndex index : contacts_.withVerdict) contacts_[index].met = false;
 }
@@ -41,10 +45,13 @@ bool NarrowPhase::isDone() const {
     return boxesDone_ == contacts_.nearBoxes.contactOf.size() && othersDone_ == contacts_.nearOthers.contactOf.size();
 }
 
+/// One batch a call: waking bodies appends their contacts to the lists that are being walked.
 std::span<const BodyIndex> NarrowPhase::collideNear() {
     const bool isBoxes = boxesDone_ < contacts_.nearBoxes.contactOf.size();
     const NearPairs& near = isBoxes ? contacts_.nearBoxes : contacts_.nearOthers;
     std::size_t& done = isBoxes ? boxesDone_ : othersDone_;
+    // Contacts of bodies that were woken are appended, perhaps to a batch that has been collided already. Then it is
+    // collided once more, and only its new lanes count.
     const std::size_t start = done, first = start - start % batchLanes;
     const std::size_t count = std::min<std::size_t>(batchLanes, near.contactOf.size() - first);
     done = first + count;
@@ -66,6 +73,8 @@ std::span<const BodyIndex> NarrowPhase::collideNear() {
     return sleepers_;
 }
 
+/// The order matters. Verdicts are dropped by what the slots hold now; covered corners need all manifolds of the step;
+/// what has parted frees its colours before others arrive; and overlaps are measured in the slots where contacts stay.
 void NarrowPhase::finish() {
     for (const ContactIndex index : contacts_.watched)
         if (!contacts_[index].met) contacts_[index].manifold.count = 0;
@@ -77,7 +86,7 @@ void NarrowPhase::finish() {
     measureOverlaps(contacts_, graph_, bodies_);
 }
 
-/// fresh: scratch.
+/// fresh: scratch, one for all batches, so that it stays in the cache.
 void NarrowPhase::collideColour(std::size_t index, FreshLanes& fresh) {
     Colour& colour = graph_.colours[index];
     for (std::size_t b = 0; b < colour.batches.size(); ++b) {
@@ -88,8 +97,10 @@ void NarrowPhase::collideColour(std::size_t index, FreshLanes& fresh) {
             pairs_.collideBoxes(batch, fresh);
         else
             pairs_.collideSolved(batch, colour.manifolds[b], colour.kept[b], fresh);
+        // Impacts read all lanes of a batch: one that is not in use must have no points.
         std::fill(fresh.count + count, std::end(fresh.count), 0);
         prepare(colour.batches[b], colour.manifolds[b], fresh, count, bodies_.stepRatio);
+        // While the batch is in the cache. Whether a face is covered is asked later, when all contacts are known.
         corners_.note(batch, colour.batches[b], isOfBoxes(index) ? nullptr : &colour.kept[b], fresh);
         for (std::size_t lane = 0; lane < count; ++lane)
             if (fresh.count[lane] == 0) parted_.push_back(batch.contacts[lane]);
@@ -103,17 +114,20 @@ void NarrowPhase::prepare(ContactBatch& batch, ManifoldLanes& manifolds, const F
         .prepare(batch, manifolds, bodies_.place.data(), bodies_.velocity.data(), fresh, step, used);
 }
 
+/// The shift is in the contact's record, which only a world that wraps need read.
 bool NarrowPhase::boundsOverlap(ProxyId a, ProxyId b, ContactIndex index) const {
     return bodies_.wrap.any() ? space_.boxesOverlap(a, b, contacts_[index].shift) : space_.boxesOverlap(a, b);
 }
 
+/// A contact that goes with its bounds can report no end later: the end is noted here.
 void NarrowPhase::drop(ContactIndex index) {
     const ContactRecord& contact = contacts_[index];
     if (contact.touching) ends_.push_back({contact.proxyA, contact.proxyB});
     removeContact(graph_, contacts_, bodies_, index);
 }
 
-/// Removes contacts whose bounds do not overlap any more.
+/// Removes contacts whose bounds do not overlap any more, one by one: O(near contacts). When their bounds meet again,
+/// the space reports the pair as new.
 void NarrowPhase::removeParted(NearPairs& near) {
     for (std::size_t slot = 0; slot < near.contactOf.size();) {
         const PairLanes& pairs = near.lanes[slot / batchLanes];
@@ -170,6 +184,8 @@ void NarrowPhase::sortArrivals() {
     }
 }
 
+/// A sleeper wakes if the two may come nearer than wakeDistance in this step: the margin is the contact margin and how
+/// far they may move. Without that, it would be hit as if it could not move.
 void NarrowPhase::noteSleepers(const ShapePair& pair, const FreshLanes& fresh, std::size_t lane) {
     if (nearestOf(fresh, lane) > pairs_.marginOf(pair) - (contactMargin - wakeDistance)) return;
     for (const BodyIndex body : {pair.bodyA, pair.bodyB})
@@ -184,6 +200,7 @@ void NarrowPhase::addToSolver(Arrivals& arrivals) {
     for (std::size_t lane = 0; lane < arrivals.count; ++lane)
         fillLane(batch, manifolds, lane, contacts_[arrivals.contacts[lane]], bodies_, space_);
     pairs_.setPeriodicOffsets(arrivals.contacts, arrivals.count, arrivals.fresh);
+    // Ratio 1: fillLane has scaled the impulses, as each contact has its own time since it was solved.
     prepare(batch, manifolds, arrivals.fresh, arrivals.count, 1);
     guessImpulses(batch, bodies_, lanes_);
     for (std::size_t lane = 0; lane < arrivals.count; ++lane) {

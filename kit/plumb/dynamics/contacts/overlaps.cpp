@@ -7,9 +7,12 @@ namespace plumb {
 
 namespace {
 
-/// The overlap that a contact's spring pushes out itself [m], and as a share of the smaller inradius [-].
+/// The overlap that a contact's spring pushes out itself [m], and as a share of the smaller inradius [-]. It is more
+/// than loads press bodies in at rest (millimetres), so that what only rests is never shifted.
 constexpr double shallow = 0.01, shallowShare = 0.1;
 
+/// Of the thinner one of the bodies that the spring can move: the thickness of a floor says nothing about how far a
+/// crate may be shifted.
 float shallowOf(const BodyStore& bodies, const ContactRecord& contact) {
     double inradius = shallow / shallowShare;
     for (const BodyIndex body : {contact.bodyA, contact.bodyB})
@@ -17,7 +20,8 @@ float shallowOf(const BodyStore& bodies, const ContactRecord& contact) {
     return static_cast<float>(shallowShare * inradius);
 }
 
-/// Returns true if there is something to hide.
+/// The solver sees no separation below -least. Both copies are changed, because separations during the step count from
+/// startSeparation. Returns true if something is hidden.
 bool hide(ContactGraph& graph, const ContactRecord& contact, float least, DeepContact& overlap) {
     ContactBatch& batch = graph.colours[contact.colour].batches[contact.slot / batchLanes];
     const std::size_t lane = contact.slot % batchLanes;
@@ -30,6 +34,7 @@ bool hide(ContactGraph& graph, const ContactRecord& contact, float least, DeepCo
     return overlap.depth[0] > 0 || overlap.depth[1] > 0;
 }
 
+/// Only where a body was placed: overlap from loads and blows is a compressed spring, and must push back.
 void noteIfDeep(ContactStore& contacts, const ContactGraph& graph, const BodyStore& bodies, ContactIndex index) {
     ContactRecord& contact = contacts[index];
     if (!contact.isSolved() || contact.overlaps) return;
@@ -46,6 +51,7 @@ void measureOverlaps(ContactStore& contacts, ContactGraph& graph, const BodyStor
         forEachContact(bodies, contacts, body, [&](ContactIndex index) { noteIfDeep(contacts, graph, bodies, index); });
     std::erase_if(contacts.overlaps, [&](DeepContact& overlap) {
         ContactRecord& contact = contacts[overlap.contact];
+        // It is measured again when it wakes.
         if (contact.state == ContactState::Asleep) return false;
         contact.overlaps = contact.isSolved() && hide(graph, contact, shallowOf(bodies, contact), overlap);
         return !contact.overlaps;

@@ -17,7 +17,8 @@ float nearestOf(const Manifold& m) {
     return m.count > 1 ? std::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
 }
 
-/// How far two bodies may move relative to each other in the step.
+/// How far two bodies may move relative to each other in the step, if nothing touches them. margin is what the shapes
+/// must be collided with: less would miss what meets late in the step, more would collide pairs that stay apart.
 struct Approach {
     float margin = 0;   ///< in any direction, plus the contact margin [m]
     float turn = 0;     ///< the part of margin that is due to rotation [m]
@@ -58,6 +59,7 @@ const LaneCollider& PairCollider::colliderFor(const PairBatch& batch) const {
     return laneCollider(lanesFor(batch.count, lanes_));
 }
 
+/// The boxes of boxes are the shapes themselves: one kernel for all lanes, and a search only where it is uncertain.
 void PairCollider::collideBoxes(const PairBatch& batch, FreshLanes& fresh) const {
     setPeriodicOffsets(batch.contacts, batch.count, fresh);
     colliderFor(batch).collideBoxes(batch.pairs, bodies_.place.data(), fresh, batch.count);
@@ -90,6 +92,8 @@ void PairCollider::collideNear(const PairBatch& batch, FreshLanes& fresh) const 
     collideLanes(batch, wanted, fresh);
 }
 
+/// What has hardly moved since it was collided keeps its manifold (lanes/reuse_lanes.h): in a heap at rest that is
+/// most of them. The other lanes are collided, and what they find is noted for the steps to come.
 void PairCollider::collideSolved(const PairBatch& batch, const ManifoldLanes& manifolds, KeptLanes& kept,
                                  FreshLanes& fresh) const {
     setPeriodicOffsets(batch.contacts, batch.count, fresh);
@@ -103,9 +107,12 @@ void PairCollider::collideSolved(const PairBatch& batch, const ManifoldLanes& ma
         if (again[lane] == 0) continue;
         const bool touches = fresh.count[lane] > 0 && nearestOf(fresh, lane) <= contactMargin;
         // A disc rolls: its point of contact does not keep its place.
+        // A predicted manifold is that of the place where the two will meet; and what is farther than the margin may
+        // change its features at any time.
         const bool stays = touches && fresh.uncertain[lane] == 0 && !hasDisc(batch.pairs, lane);
         kept.pose.x[lane] = now.x[lane];
         kept.pose.y[lane] = now.y[lane];
+        // Cosine and sine 0 say that it must not be used again, see KeptLanes.
         kept.pose.cos[lane] = stays ? now.cos[lane] : 0;
         kept.pose.sin[lane] = stays ? now.sin[lane] : 0;
         for (std::size_t p = 0; p < 2; ++p) kept.separations[p][lane] = fresh.points[p].separation[lane];
@@ -185,6 +192,8 @@ void PairCollider::collideOne(const PairBatch& batch, std::size_t lane, FreshLan
     const Manifold m = manifold(space_[pair.proxyA].convex, space_[pair.proxyB].convex, pose, approach.margin);
     setFresh(fresh, lane, m);
     if (m.count == 0 || nearestOf(m) <= contactMargin) return;
+    // A gap is closed along its normal at most by the turn and by the shift against it. Whether they meet is only sure
+    // after a search for the time.
     const bool never = nearestOf(m) > approach.turn - approach.shift.dot(m.normal);
     fresh.count[lane] = never ? 0 : m.count;
     fresh.uncertain[lane] = never ? 0 : 1;

@@ -14,6 +14,8 @@ namespace {
 /// Upper limit of friction: more makes no difference, and might overflow the solver's floats [-].
 constexpr double roughest = 1e6;
 
+/// If the two materials name different rules, the later one in Mix counts. So the result does not depend on which shape
+/// is A. Test: "friction 0.2 on 0.8 is 0.5, 0.4, 0.2, 0.16 or 0.8 by the pair's rule, of two the later"
 double mixed(double a, double b, Mix ruleA, Mix ruleB) {
     switch (std::max(ruleA, ruleB)) {
         case Mix::Average: return 0.5 * (a + b);
@@ -30,6 +32,7 @@ double roundingOf(const Proxy& a, const Proxy& b) {
     return static_cast<double>(std::max(a.convex.radius, b.convex.radius));
 }
 
+/// A record for a pair that has no contact yet. Its impulses are 0 and its verdict is open.
 ContactRecord contactOf(const ContactStore& contacts, const Space& space, const ShiftedShapes& pair) {
     const Proxy& a = space[pair.shapes.a];
     const Proxy& b = space[pair.shapes.b];
@@ -39,6 +42,8 @@ ContactRecord contactOf(const ContactStore& contacts, const Space& space, const 
     contact.bodyA = a.owner;
     contact.bodyB = b.owner;
     contact.shift = pair.shift;
+    // Two boxes have their own near list, colours and code, which need no corners: they are never mixed with other
+    // pairs.
     const auto isBox = [&](ProxyId proxy) { return contacts.boxes[proxy].kind == BoxOutline::Kind::Box; };
     contact.boxes = isBox(pair.shapes.a) && isBox(pair.shapes.b);
     contact.ruled = hasRule(a.def) || hasRule(b.def);
@@ -60,6 +65,9 @@ bool mayTouch(const BodyStore& bodies, const Space& space, const ShiftedShapes& 
     return (bodies.isDynamic(a) || bodies.isDynamic(b)) && !bodies.areKeptApart(a, b);
 }
 
+/// Walks along the contacts of one body: O(its contacts). There is no table of pairs, because few ask: edits, crowds,
+/// searches for walls along a path, and what was deflected. The pair may be in either order: a search along a path
+/// begins at the body that moves.
 ContactIndex findContact(const ContactStore& contacts, const BodyStore& bodies, const Space& space,
                          const ShiftedShapes& pair) {
     const ProxyId a = pair.shapes.a, b = pair.shapes.b;
@@ -83,6 +91,8 @@ ContactIndex addContact(ContactStore& contacts, BodyStore& bodies, const Space& 
 }
 
 ContactIndex addEarlyContact(ContactStore& contacts, BodyStore& bodies, const Space& space, const ShiftedShapes& pair) {
+    // The broad phase compares with the boxes of its last search, and will report this pair as new. addNewPairs looks
+    // it up in this list: else the pair would have two contacts, and be solved twice.
     contacts.early.push_back(pair.shapes);
     return addContact(contacts, bodies, space, pair);
 }
@@ -94,10 +104,16 @@ PairKind addPair(ContactStore& contacts, BodyStore& bodies, const Space& space, 
     if (!mayTouch(bodies, space, pair)) return PairKind::Nothing;
     addContact(contacts, bodies, space, pair);
     const BodyIndex a = first.owner, b = second.owner;
+    // What is put into a sleeping body must wake it: nothing else would collide the two. Two dynamic bodies that sleep
+    // need no look: each fell asleep where it is. Test: "a wall set into a sleeping box wakes it and pushes it out,
+    // once for each time it is set there"
     const bool asleep = !bodies.record[a].awake && !bodies.record[b].awake;
     return asleep && !(bodies.isDynamic(a) && bodies.isDynamic(b)) ? PairKind::AtSleeper : PairKind::Contact;
 }
 
+/// For two bodies whose joint is removed or changed, so that they may touch again. It asks the boxes of the last
+/// search, not the present ones: what has come near since then is reported by the next search, and would get a second
+/// contact.
 std::vector<ShiftedShapes> pairsOfBodies(const BodyStore& bodies, const Space& space, BodyIndex a, BodyIndex b) {
     std::vector<ShiftedShapes> pairs;
     if (!bodies.record[a].enabled || !bodies.record[b].enabled) return pairs;
@@ -109,6 +125,7 @@ std::vector<ShiftedShapes> pairsOfBodies(const BodyStore& bodies, const Space& s
     return pairs;
 }
 
+/// For a shape whose filter has changed. It asks the boxes of the last search, as pairsOfBodies does.
 std::vector<ShiftedShapes> pairsOfShape(const ContactStore& contacts, const BodyStore& bodies, const Space& space,
                                         ProxyId proxy) {
     struct Other {
@@ -120,6 +137,8 @@ std::vector<ShiftedShapes> pairsOfShape(const ContactStore& contacts, const Body
         if (mayPair(space[proxy], space[other]) && space.previousBoxesOverlap(proxy, other, shift))
             others.push_back({other, shift});
     });
+    // The tree finds shapes in an order that depends on everything in the world; contacts are made in the order of
+    // their shapes. In a world that wraps, it may find one at the same shift more than once.
     std::sort(others.begin(), others.end(), [](const Other& a, const Other& b) {
         return std::tuple(a.proxy, a.shift.x(), a.shift.y()) < std::tuple(b.proxy, b.shift.x(), b.shift.y());
     });

@@ -17,6 +17,7 @@ MovingShape movingShape(const BodyStore& bodies, BodyIndex body, const Proxy& pr
     shape.localCenter = record.localCenter;
     shape.boundingRadius = record.boundingRadius;
     shape.from = bodies.motion[body];
+    // A body that sleeps has no motion, though gravity would act on it.
     if (record.awake) shape.law = flightLawOf(bodies, body);
     return shape;
 }
@@ -52,6 +53,8 @@ Manifold predictedManifold(const BodyStore& bodies, const Space& space, const Sh
         const Vec2 startA = a.from.center + back.inverse() * Vec2(at - metA.center);
         const Vec2 startB = b.from.center + armB;
         point.separation += static_cast<float>((startB - startA).dot(normal));
+        // A point at the other end of a face may have a long way to go; the solver needs only to know that it is not
+        // near.
         point.separation = std::min(point.separation, margin);
     }
     m.normal = Vec2(back * Vec2(m.normal.cast<double>())).cast<float>();

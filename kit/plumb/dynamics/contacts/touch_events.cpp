@@ -16,6 +16,8 @@ struct TouchNow {
     std::size_t point = 0;  ///< index of the nearest point
 };
 
+/// The sum of a point's normal impulses tells whether the shapes have pressed in the step: a body that bounces is apart
+/// again at its end.
 TouchNow touchOf(const ContactGraph& graph, const ContactRecord& contact) {
     TouchNow touch;
     const auto memory = graph.memoryOf(contact);
@@ -31,7 +33,8 @@ TouchNow touchOf(const ContactGraph& graph, const ContactRecord& contact) {
 }
 
 /// Sets changed to a value other than 0 in the lanes in which a touch begins or ends, or is a hit. There are no
-/// branches, so that compilers can vectorize the loop.
+/// branches, so that compilers can vectorize the loop: nearly all contacts of a heap have no event, and must not cost a
+/// look at their records.
 void markChanges(const ContactBatch& batch, const ManifoldLanes& manifolds, float hitSpeed,
                  Lanes<std::int32_t>& changed) {
     for (std::size_t lane = 0; lane < batchLanes; ++lane) {
@@ -81,6 +84,8 @@ public:
     TouchEvents events;
 
 private:
+    /// Two bounds in place of one: a touch begins at 0 and ends at apart. With a single one, what jitters on the
+    /// ground would begin and end in every other step.
     void search(ContactRecord& contact) {
         const TouchNow touch = touchOf(graph_, contact);
         if (contact.isSolved() && touch.pressed && static_cast<double>(contact.approachSpeed) > hitSpeed_)
@@ -111,6 +116,8 @@ private:
 
 }  // namespace
 
+/// O(contacts in the solver) in vectors, and O(watched contacts). Called after the bodies have moved: the solver's
+/// separations are those at the step's end.
 TouchEvents findTouchEvents(ContactGraph& graph, ContactStore& contacts, const BodyStore& bodies, double hitSpeed) {
     TouchSearch search(graph, contacts, bodies, hitSpeed);
     for (Colour& colour : graph.colours)

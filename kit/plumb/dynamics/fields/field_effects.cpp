@@ -14,7 +14,9 @@ namespace plumb {
 
 namespace {
 
-/// Adds up the pulls of fields on one body.
+/// Adds up the pulls of fields on one body: forces, which do not depend on the velocity, go to acceleration; drag goes
+/// to rates, which kickOf turns into an exponential. As a force, a great drag would reverse the velocity within a step.
+/// Test: "a parachute that stops in a millisecond does not touch a wall it never reaches"
 class ForceSum {
 public:
     ForceSum(const FieldStores& view, BodyIndex body, const std::vector<BodyMotion>& now, FieldPull& pull)
@@ -23,6 +25,7 @@ public:
     void add(const FieldRecord& field) {
         field_ = &field;
         there_ = now_[body_];
+        // Its carrier may be outside of the region and of the filter, and still gets the reaction.
         if (const auto* magnet = std::get_if<Magnet>(&field.def.law)) {
             if (isCarried(*magnet, view_)) pull(*magnet);
             return;
@@ -46,6 +49,7 @@ private:
         Acceleration a{force * record_.inverseMass, cross(Vec2(at - motion().center), force) * record_.inverseInertia};
         pull_.acceleration.linear += a.linear;
         pull_.acceleration.angular += a.angular;
+        // What has a potential energy is accounted for by it; the rest by its work, kick by kick.
         if (hasEnergy(field_->def)) return;
         pull_.unaccounted.linear += a.linear;
         pull_.unaccounted.angular += a.angular;
@@ -66,7 +70,8 @@ private:
 
     void pull(const Attractor& law) { pushCenter(attraction(law, motion().center)); }
 
-    /// The body that carries the magnet gets the reaction of its pull on the others.
+    /// The body that carries the magnet gets the reaction of its pull on the others, at the place of the magnet, so
+    /// that momentum is kept. Test: "a magnet on a body is drawn as it draws"
     void pull(const Magnet& law) {
         Attractor attractor = attractorOf(law, view_, now_);
         attractor.center = nearTo(attractor.center, motion().center);
@@ -99,6 +104,8 @@ private:
     }
 
     void pull(const GroundFriction& law) {
+        // A disc that spins on the ground under even pressure is braked by mu m g 2/3 R; R = sqrt(2 I / m) is the disc
+        // of the body's inertia. mu friction [-], R [m], I [kg m^2]
         const double lever = law.lever > 0 ? law.lever : 2.0 / 3 * std::sqrt(2 * record_.inertia * record_.inverseMass);
         pull_.friction += law.friction * law.gravity;
         pull_.spinFriction += law.friction * law.gravity * lever * record_.mass * record_.inverseInertia;
@@ -132,6 +139,7 @@ double finite(double energy) {
     return std::isfinite(energy) ? energy : 0;
 }
 
+/// Each pair once: O(n^2). Only the ledger asks.
 double mutualEnergy(const FieldStores& view, const FieldRecord& field, const MutualGravity& law) {
     double sum = 0;
     const std::vector<BodyMotion>& now = view.bodies.motion;
@@ -181,6 +189,7 @@ double energyIn(const FieldStores& view, const FieldRecord& field, BodyIndex bod
 
 }  // namespace
 
+/// A region has none: on its edge the force begins at once, and a closed path across it would gain energy.
 bool hasEnergy(const FieldDef& field) {
     return !field.region && !std::holds_alternative<Drag>(field.law) &&
            !std::holds_alternative<GroundFriction>(field.law);
@@ -234,6 +243,8 @@ Vec2 after(const DragTerms& drag, const Vec2& velocity, double time) {
     return velocity * d.keep + drag.drive * d.gain;
 }
 
+/// Quadratic drag at the mean of the velocity and of a first guess of the next one: a midpoint rule, of second order.
+/// Linear drag is the same at any velocity, and needs no guess.
 DragTerms meanDrag(const FieldPull& pull, double damping, const Vec2& acceleration, const Vec2& velocity, double time) {
     const DragTerms first = dragAt(pull, damping, acceleration, velocity);
     if (pull.quadratic.empty()) return first;
@@ -243,6 +254,7 @@ DragTerms meanDrag(const FieldPull& pull, double damping, const Vec2& accelerati
 /// The change of velocity by friction, given the velocity to that would result without it.
 Vec2 frictionLoss(const Vec2& before, const Vec2& to, double most) {
     if (most <= 0) return {0, 0};
+    // It is stopped, and not driven back.
     if (to.norm() <= most) return -to;
     // The rest of the kick may turn round the velocity of bodies that contacts press together: then no mean direction
     // exists.
@@ -258,6 +270,9 @@ double frictionLoss(double to, double most) {
 
 }  // namespace
 
+/// The parts of the change are kept apart, because the ledger enters each under its own cause: their sum is what is
+/// applied. First all forces with drag, then friction, which acts on what is left: so a body at rest is moved only by
+/// more than friction holds.
 FieldKick kickOf(const BodyRecord& body, const Acceleration& base, const FieldPull& pull,
                  const VelocityChange& velocity, double time) {
     FieldKick kick;

@@ -12,8 +12,9 @@ namespace plumb {
 
 namespace {
 
-/// Moves one body by velocity Verlet. Its position is kept as a shift from the start, so that rounding of large
-/// coordinates has no effect.
+/// Moves one body by velocity Verlet: half a kick, drift, half a kick, in each sub-step. Its position is kept as a
+/// shift from the start, so that rounding of large coordinates has no effect. It refers to its flight and account,
+/// which must not move in memory until conclude().
 class VerletFlight {
 public:
     VerletFlight(const BodyStore& bodies, PredictedFlight& flight, FieldAccount& account, const BodyMotion& from,
@@ -38,6 +39,7 @@ public:
         after += sumOf(kick);
         at_->velocity = after.velocity;
         at_->angularVelocity = after.spin;
+        // The mean over all kicks of the step: share_ is 1 over their number.
         flight_->law.linearDamping += kick.rate * share_;
         flight_->law.angularDamping += kick.turningRate * share_;
         const VelocityChange mean{0.5 * (before.velocity + after.velocity), 0.5 * (before.spin + after.spin)};
@@ -52,8 +54,8 @@ public:
         at_->rotation = Rot::fromAngle(at_->angle);
     }
 
-    /// Finds the steady acceleration that, with the mean drag rate, leads to the same position, and the velocity
-    /// (flight.rest) that is then missing.
+    /// Finds the steady acceleration that, with the mean drag rate, leads to the same position: x = v0 gain + a reach
+    /// (free_motion.h), solved for a. And the velocity (flight.rest) that is then missing.
     void conclude(double time) {
         FlightLaw& law = flight_->law;
         const Decay linear = decay(law.linearDamping, time), angular = decay(law.angularDamping, time);
@@ -76,7 +78,8 @@ private:
     double turn_ = 0;
 };
 
-/// Sets fields.now for all awake bodies on which no varying field acts, at a time after the step's start [s].
+/// Sets fields.now for all awake bodies on which no varying field acts, at a time after the step's start [s]: those
+/// that attract, and move by closed forms.
 void moveOthers(FieldStore& fields, const BodyStore& bodies, double time) {
     for (const BodyIndex body : bodies.awake) {
         const std::uint32_t flight = bodies.step[body].flight;
@@ -85,7 +88,9 @@ void moveOthers(FieldStore& fields, const BodyStore& bodies, double time) {
     }
 }
 
-/// Moves all bodies on which varying fields act through the step, together.
+/// Moves all bodies on which varying fields act through the step, together: in mutual gravity, each sub-step needs the
+/// places of all. Pulls are computed once a sub-step, as the kick at its end and the one at the next one's start are at
+/// the same places.
 class Flights {
 public:
     Flights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt)
@@ -134,6 +139,7 @@ private:
 };
 
 /// Sets the law of a flight on which only steady fields act: their force is the same everywhere.
+/// Uniform gravity and linear drag add to the constants of the closed form: no sub-steps, and no error.
 void setSteadyLaw(FieldStore& fields, const BodyStore& bodies, const Space& space, PredictedFlight& flight,
                   FlightAccount& account) {
     const BodyRecord& record = bodies.record[flight.body];
@@ -146,6 +152,8 @@ void setSteadyLaw(FieldStore& fields, const BodyStore& bodies, const Space& spac
     flight.law.acceleration.linear += pull.acceleration.linear + pull.flow;
 }
 
+/// O(awake bodies x fields). Which fields may act on a body is judged from its path without fields: where only steady
+/// ones do, what they add to the path within the step is left out.
 void gatherFlights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt) {
     fields.now.resize(bodies.motion.size());
     for (const BodyIndex body : bodies.awake) {
@@ -172,6 +180,8 @@ void predictFlights(FieldStore& fields, BodyStore& bodies, const Space& space, d
     Flights(fields, bodies, space, dt).run(dt);
 }
 
+/// Called by the impacts, after each bounce of a body in varying fields, for the rest of the step, and for the time up
+/// to a bounce.
 FieldFlight flightFrom(FieldStore& fields, const BodyStore& bodies, const Space& space, const PredictedFlight& before,
                        const BodyMotion& from, double start, double time) {
     FieldFlight result{before, {}};
@@ -184,6 +194,8 @@ FieldFlight flightFrom(FieldStore& fields, const BodyStore& bodies, const Space&
         return result;
     }
     const double whole = bodies.lastStep / bodies.subSteps;
+    // As short as the solver's sub-steps, but equal ones: the order of error stays the same after a bounce. 1e-6:
+    // rounding makes no further step.
     const int steps = std::max(1, static_cast<int>(std::ceil(time / whole - 1e-6)));
     // The other bodies are taken at half of the time: the error is of the same order as Verlet's.
     if (dependsOnOtherBodies(fields)) {

@@ -8,7 +8,8 @@
 // steady fields act on a body, its closed form is exact.
 // Source: Verlet, Phys. Rev. 159 (1967) 98, as kick, drift, kick.
 // Tests: "two bodies go round each other as Kepler says", "an orbit keeps its energy for 100 rounds", "a puck between
-// walls never speeds up", "linear drag and wind carry a ball as the closed form says"
+// walls 5 cm apart never speeds up, and stops when the formula says", "linear drag and wind carry a ball as the closed
+// form says, to rounding"
 #pragma once
 #include <plumb/dynamics/fields/field_store.h>
 

@@ -10,6 +10,7 @@ namespace plumb {
 
 namespace {
 
+/// A body counts if one of its shapes does. Pieces that serve neither contacts nor queries are left out.
 bool passesFilter(const FieldRecord& field, const FieldStores& view, BodyIndex body) {
     if (!field.filters) return true;
     const Filter& f = field.def.filter;
@@ -20,6 +21,8 @@ bool passesFilter(const FieldRecord& field, const FieldStores& view, BodyIndex b
     });
 }
 
+/// In the region, or within 1e-9 m of it [m]: what is put exactly on the edge is inside, however its coordinates round.
+/// A disc of that radius stands for the point, as distance needs a shape.
 bool covers(const FieldDef& field, const Vec2& point) {
     return !field.region || distance(Circle{1e-9, point}, {}, *field.region, {}).separation <= 1e-9;
 }
@@ -28,12 +31,14 @@ Vec2 pointOn(const BodyRecord& record, const BodyMotion& motion, const Vec2& loc
     return motion.center + motion.rotation * Vec2(local - record.localCenter);
 }
 
-/// Does a body reach the surface of the fluid from above?
+/// Does a body reach the surface of the fluid from above? The surface is a line through a point, at right angles to
+/// gravity; the test takes the body as a disc around its centre of mass, and so errs on the safe side.
 bool dips(const BodyRecord& record, const Vec2& center, const Fluid& fluid) {
     return fluid.gravity.dot(fluid.surface - center) <= record.boundingRadius * fluid.gravity.norm();
 }
 
-/// May something that moves between two places come within range of a centre?
+/// May something that moves between two places come within range of a centre? By the disc around both places: it may
+/// say yes to what passes by, and then the field's force there is 0.
 bool comesNear(const Vec2& center, double range, const Vec2& from, const Vec2& to) {
     return (0.5 * (from + to) - center).norm() <= range + 0.5 * (to - from).norm();
 }
@@ -46,7 +51,9 @@ bool mayReach(const FieldStores& view, const FieldRecord& field, const Aabb& way
     return reaches;
 }
 
-/// May a field act on a body somewhere between two places?
+/// May a field act on a body somewhere between two places? Asked once a step for each field and awake body, so cheap
+/// tests come first. A yes costs time only; but a body that gets a no moves by its closed form, bit for bit as if there
+/// were no field. Test: "a field far away changes no bit of what it does not reach"
 bool mayInfluence(const FieldStores& view, const FieldRecord& field, BodyIndex body, const Vec2& from, const Vec2& to) {
     const auto* magnet = std::get_if<Magnet>(&field.def.law);
     if (magnet && !isCarried(*magnet, view)) return false;
@@ -55,6 +62,7 @@ bool mayInfluence(const FieldStores& view, const FieldRecord& field, BodyIndex b
     if (!mayReach(view, field, merge({from, from}, {to, to}))) return false;
     if (magnet) {
         const BodyMotion& carrier = view.bodies.motion[magnet->body.index];
+        // How far the carrier may come in the step [m], with a factor of 2 to spare.
         const double moves = 2 * carrier.velocity.norm() * view.bodies.lastStep;
         const Vec2 center = pointOn(view.bodies.record[magnet->body.index], carrier, magnet->pull.center);
         return comesNear(view.bodies.near(center, 0.5 * (from + to)), magnet->pull.range + moves, from, to);
@@ -63,18 +71,22 @@ bool mayInfluence(const FieldStores& view, const FieldRecord& field, BodyIndex b
         return comesNear(view.bodies.near(attractor->center, 0.5 * (from + to)), attractor->range, from, to);
     if (const auto* pool = std::get_if<Pool>(&field.def.law)) {
         const BodyRecord& record = view.bodies.record[body];
+        // Which copy of the surface acts depends on the place along the path: pullOn finds that out.
         if (view.bodies.wrap.any()) return true;
         return dips(record, from, pool->fluid) || dips(record, to, pool->fluid);
     }
     return true;
 }
 
+/// The same force at each place and time, and linear in the velocity: then free motion has a closed form. A region has
+/// an edge, where that ends.
 bool isSteady(const FieldDef& field) {
     if (field.region) return false;
     const auto* drag = std::get_if<Drag>(&field.law);
     return (drag && drag->quadratic == 0) || std::holds_alternative<UniformGravity>(field.law);
 }
 
+/// Fields whose force depends on where other bodies are: these bodies must be moved with the flight that is predicted.
 bool attractsOthers(const FieldDef& field) {
     return std::holds_alternative<MutualGravity>(field.law) || std::holds_alternative<Magnet>(field.law);
 }
@@ -147,6 +159,8 @@ FieldInfluence influenceOn(const FieldStores& view, BodyIndex body, const Vec2& 
     return influence;
 }
 
+/// O(all bodies), sleeping ones, too: called when a field is added or changed, for energies, and in each step for
+/// mutual gravity and magnets.
 std::vector<BodyIndex> bodiesInfluencedBy(const FieldStores& view, const FieldRecord& field) {
     std::vector<BodyIndex> influenced;
     for (BodyIndex body = 1; body < view.bodies.record.size(); ++body) {
@@ -158,6 +172,8 @@ std::vector<BodyIndex> bodiesInfluencedBy(const FieldStores& view, const FieldRe
     return influenced;
 }
 
+/// In the predict phase of a step, for each field. The list is gathered once, because each of its bodies goes through
+/// it in each sub-step: O(n^2) of mutual gravity.
 std::vector<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex index, const BodyStore& bodies,
                                        const Space& space) {
     const FieldStores view{fields, bodies, space};

@@ -9,6 +9,7 @@ namespace plumb {
 
 namespace {
 
+/// Where the solver has a body now: its place at the step's start is in double, the way since then in floats.
 BodyMotion solvedMotion(const BodyStore& bodies, BodyIndex body) {
     BodyMotion motion = bodies.motion[body];
     const SolverDisplacement& d = bodies.displacement[body];
@@ -32,6 +33,7 @@ void addChange(SolverVelocity& velocity, const VelocityChange& push, float gyrat
 
 }  // namespace
 
+/// Once a sub-step: the kick at its end and the one at the next one's start are at the same places.
 void FieldSolving::findPulls(const std::vector<BodyIndex>& solved) {
     std::vector<BodyMotion>& now = fields_.now;
     if (dependsOnOtherBodies(fields_)) {
@@ -58,6 +60,8 @@ bool FieldSolving::isInfluenced(BodyIndex body) const {
     return body != noBody && bodies_.step[body].flight != none;
 }
 
+/// The same kick as in free flight (kickOf), of which the contacts then take away what they stop. It is added to
+/// before, too: it must not count as a change by contacts, which are applied again (solver_body.h).
 void FieldSolving::kick(const std::vector<BodyIndex>& solved) {
     if (!known_) findPulls(solved);
     for (std::size_t i = 0; i < solved.size(); ++i) {

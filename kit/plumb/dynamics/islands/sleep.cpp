@@ -12,6 +12,8 @@ namespace plumb {
 
 namespace {
 
+/// Breadth first along touches and acting joints. Fixed bodies are no neighbours: else all that lies on the ground
+/// would be one island.
 std::vector<BodyIndex> islandOf(const SleepStores& stores, BodyIndex seed) {
     std::vector<bool> seen(stores.bodies.record.size(), false);
     std::vector<BodyIndex> island{seed};
@@ -36,9 +38,12 @@ void putContactToSleep(const SleepStores& stores, BodyIndex body, ContactIndex i
     stores.contacts.removeNear(index);
 }
 
+/// First all bodies, then their contacts: only then is it known of which contacts both bodies sleep. What is left of
+/// the velocity is below sleepSpeed, or belongs to a body that the program puts to sleep.
 void putToSleep(const SleepStores& stores, const std::vector<BodyIndex>& island) {
     BodyStore& bodies = stores.bodies;
     for (const BodyIndex body : island) {
+        // A sleeper's bounds are not placed in any step: they must contain it now.
         if (hasLeftItsBounds(stores.space, bodies, body)) placeBounds(stores.space, bodies, stores.contacts, body, 0);
         bodies.motion[body].velocity.setZero();
         bodies.motion[body].angularVelocity = 0;

@@ -4,7 +4,7 @@
 // A body stays awake as long as one of these holds:
 //   WorldDef.sleeping or its own canSleep is false,
 //   it moves faster than SolverSettings.sleepSpeed, or was shifted by more than that in the step,
-//   nothing touches or holds it, and its velocity is not exactly 0: a body that floats or drifts never sleeps,
+//   no contact or joint acts on it, and its velocity is not exactly 0: a body that floats or drifts never sleeps,
 //   it touches, or is joined to, a kinematic body that is awake,
 //   a belt that it touches moves it, or a joint's motor that has a target speed moves its bodies. A motor or belt that
 //   something stops lets its bodies sleep,

@@ -13,13 +13,16 @@ namespace plumb {
 
 namespace {
 
-/// How far a body may come in a step, as the narrow phase sees it [m].
+/// How far a body may come in a step, as the narrow phase sees it [m]. At rest it is g dt^2 / 2, because the prediction
+/// contains no contact forces.
 float reachOf(const BodyStore& bodies, BodyIndex body) {
     const BodyPlace& place = bodies.place[body];
     return Vec2f(place.shiftX, place.shiftY).norm() + place.turn;
 }
 
-/// Would one of the two bodies wake the other if that one slept?
+/// Would one of the two bodies wake the other if that one slept? The same question as that of the narrow phase
+/// (NarrowPhase::noteSleepers), so that no island falls asleep to be woken in the next step. Test: "a pit of capsules
+/// falls asleep, although some are near without touching"
 bool wouldWake(const IslandView& view, const ContactRecord& contact) {
     const BodyStore& bodies = view.bodies;
     if (letsPass(contact.verdict)) return false;
@@ -30,7 +33,7 @@ bool wouldWake(const IslandView& view, const ContactRecord& contact) {
 }
 
 /// A search begins at a body that has been still for long enough. It ends at the first that has not, or whose island is
-/// known to stay awake.
+/// known to stay awake: so a heap in which something moves costs a few looks, not a walk through it.
 class IslandSearch {
 public:
     IslandSearch(const IslandView& view, double sleepTime)
@@ -51,6 +54,8 @@ public:
             else
                 reachNear(island_[near++]);
         }
+        // All that were found are of the same island: none of them need start a search in this step, nor in the next
+        // ones.
         if (!still_) {
             for (const BodyIndex body : island_) block(body);
             island_.clear();
@@ -100,6 +105,7 @@ private:
         anyContact(view_.bodies, view_.contacts, body, [&](ContactIndex index) {
             const ContactRecord& contact = view_.contacts[index];
             const BodyIndex other = otherOf(contact, body);
+            // What touches was found before; manifolds are computed only for the rest.
             if (contact.touching || marks_[other] == Mark::Found) return false;
             const bool wakes =
                 view_.bodies.canMove(other) && view_.bodies.record[other].awake && wouldWake(view_, contact);
@@ -123,6 +129,7 @@ bool watchDriven(const IslandView& view, const SolverSettings& settings, const s
         if (!isCarried(view.bodies, view.contacts, view.joints, body) &&
             !isDriven(view.bodies, view.contacts, view.joints, settings, body))
             continue;
+        // Its watch begins anew: an island with a running drive is searched again after sleepTime, not in each step.
         view.bodies.record[body].stillTime = 0;
         driven = true;
     }

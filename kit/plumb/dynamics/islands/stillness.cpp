@@ -10,7 +10,8 @@ namespace plumb {
 
 namespace {
 
-/// The number of parts of a watch, each with its mean speed [-]. More parts are shorter, and jitter shows more.
+/// The number of parts of a watch, each with its mean speed [-]. More parts are shorter, and jitter shows more. Five
+/// are 0.1 s each with the default sleepTime: whole numbers of steps at 30, 60 and 120 Hz.
 constexpr double partsOfWatch = 5;
 /// A mean speed that has risen by less than this share of sleepSpeed has not risen [-].
 constexpr double leastGain = 1e-3;
@@ -33,6 +34,7 @@ bool swings(const BodyStore& bodies, const ContactStore& contacts, const JointSt
            record.angularDamping == 0 && isAlone(bodies, contacts, joints, body);
 }
 
+/// Of the body's farthest point, not of its centre: a long plank that turns slowly moves fast at its ends.
 bool isSlow(const BodyStore& bodies, const SolverSettings& settings, BodyIndex body) {
     const BodyRecord& record = bodies.record[body];
     const BodyMotion& motion = bodies.motion[body];
@@ -58,9 +60,12 @@ template <class Alone>
 bool hasGained(StillWatch& watch, const BodyMotion& motion, double radius, const SolverSettings& settings, double dt,
                const Alone& alone) {
     watch.time += dt;
+    // Half a step less, so that rounding of the sum does not make a part one step longer.
     if (watch.time + 0.5 * dt < settings.sleepTime / partsOfWatch) return watch.gained > 0;
     const double turned = std::fabs(motion.angle - watch.angle) * radius;
     const double speed = ((motion.center - watch.center).norm() + turned) / watch.time;
+    // From the lowest mean speed on, a rise by gain counts; it is forgotten when the body has lost nine tenths of it,
+    // as at the end of a damped swing.
     watch.least = std::min(watch.least, speed);
     const double gain = leastGain * settings.sleepSpeed + noise * radius / watch.time;
     if (speed > watch.least + gain) watch.gained = std::max(watch.gained, speed);

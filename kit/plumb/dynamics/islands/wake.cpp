@@ -24,6 +24,9 @@ void wakeOne(BodyStore& bodies, ContactStore& contacts, JointStore& joints, Body
 
 }  // namespace
 
+/// Breadth first, O(bodies and contacts of the island): a sleeping island has no record of its own, its touches and
+/// joints are the only trace of it. If a part of it is awake, the search goes no further there: what it touches is
+/// awake, too.
 void wakeIsland(BodyStore& bodies, ContactStore& contacts, JointStore& joints, BodyIndex seed) {
     if (!bodies.canMove(seed)) return;
     std::vector<BodyIndex> reached{seed};

@@ -14,7 +14,8 @@ namespace plumb {
 namespace {
 
 /// The bounds of a shape along a straight piece. A point's path differs from the straight line between its ends by at
-/// most r turn^2 / 8, and by no more than two radii.
+/// most r turn^2 / 8, and by no more than two radii. r distance from the centre of mass [m], turn [rad]: the height of
+/// an arc over its chord is r (1 - cos(turn / 2)).
 Aabb boxAlong(const Shape& shape, const Sweep& sweep) {
     const double swing = turningRadiusOf(shape, sweep.localCenter) * std::min(0.125 * sweep.turn * sweep.turn, 2.0);
     return inflate(merge(aabbOf(shape, poseAt(sweep, 0)), aabbOf(shape, poseAt(sweep, 1))), swing);
@@ -22,6 +23,8 @@ Aabb boxAlong(const Shape& shape, const Sweep& sweep) {
 
 }  // namespace
 
+/// Trajectories are of all bodies, in the order of time: sorted by bodies at the first question, so that a step without
+/// one costs nothing.
 std::vector<PathPiece> BodyPaths::of(BodyIndex body) {
     std::vector<PathPiece> path;
     if (!isStraight(body)) {
@@ -40,6 +43,8 @@ std::vector<PathPiece> BodyPaths::of(BodyIndex body) {
     return path;
 }
 
+/// From the places in floats at the step's start: as exact as a float can be, but the turn only up to whole
+/// revolutions, which aboutTurnOf adds.
 Sweep BodyPaths::chordOf(BodyIndex body) const {
     const BodyPlace& place = bodies_.place[body];
     const BodyMotion& now = bodies_.motion[body];
@@ -53,6 +58,7 @@ Sweep BodyPaths::chordOf(BodyIndex body) const {
     sweep.turn = arcTangent(cross(before, after), before.dot(after));
     constexpr double revolution = 2 * std::numbers::pi;
     sweep.turn += revolution * std::round((aboutTurnOf(body) - sweep.turn) / revolution);
+    // So that the sweep ends exactly at the present angle.
     sweep.angle = now.angle - sweep.turn;
     return sweep;
 }

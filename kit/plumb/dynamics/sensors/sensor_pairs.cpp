@@ -14,7 +14,8 @@ namespace plumb {
 
 namespace {
 
-/// An upper bound on how far the two shapes have moved relative to each other [m].
+/// An upper bound on how far the two shapes have moved relative to each other [m]: the shift, and each turn times the
+/// farthest arm on which it acts. The sensor's turn sweeps the visitor around its centre.
 double travelOf(const Sweep& sensor, const Sweep& visitor, const Vec2& image, const Shape& shape) {
     const Vec2 apart = visitor.start + image - sensor.start, shift = visitor.shift - sensor.shift;
     const double reach = turningRadiusOf(shape, visitor.localCenter);
@@ -22,7 +23,8 @@ double travelOf(const Sweep& sensor, const Sweep& visitor, const Vec2& image, co
            std::fabs(sensor.turn) * (apart.norm() + shift.norm() + reach);
 }
 
-/// The part of a piece of a path between two shares of the step.
+/// The part of a piece of a path between two shares of the step. A piece of no length is a body that stays where it was
+/// stopped.
 Sweep partBetween(const PathPiece& piece, double start, double end) {
     const double whole = piece.end - piece.start;
     if (whole <= 0) return piece.sweep;
@@ -31,6 +33,8 @@ Sweep partBetween(const PathPiece& piece, double start, double end) {
 
 }  // namespace
 
+/// A sweep costs a search. So a straight path is first compared with the distance at its end: what has moved less than
+/// that has not met. Bodies of the impacts have a piece for each flight, and only pieces of the same time are compared.
 bool haveMet(const SensorPair& pair, double separation, const Space& space, BodyPaths& paths) {
     const Proxy& sensor = space[pair.sensor];
     const Proxy& visitor = space[pair.visitor];
@@ -68,6 +72,7 @@ bool mayHaveLeft(const BodyStore& bodies, BodyIndex body) {
     if (!bodies.isMovedBy(body, MovedBy::Solver)) return false;
     const SolverDisplacement& d = bodies.displacement[body];
     const Vec2 moved(static_cast<double>(d.x), static_cast<double>(d.y));
+    // A chord is at most two radii long.
     const double angle = std::min(std::fabs(static_cast<double>(bodies.turn[body].angle)), 2.0);
     const double turned = angle * bodies.record[body].turningRadius;
     const double spare = 0.49 * static_cast<double>(contactMargin);

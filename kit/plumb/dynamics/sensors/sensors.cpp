@@ -14,6 +14,7 @@ namespace plumb {
 
 namespace {
 
+/// Ids have no order of their own that means anything; by body, generation and shape, lists are the same in every run.
 auto keyOf(const ShapeId& id) {
     return std::tuple(id.body.index, id.body.generation, id.number);
 }
@@ -26,6 +27,8 @@ bool isSame(const SensorBegin& a, const SensorBegin& b) {
     return a.sensor == b.sensor && a.visitor == b.visitor;
 }
 
+/// A chain or a tile map is many proxies and one shape: its pieces make one visit. Test: "a chain of a hundred pieces
+/// that moves across a sensor is one visitor, in once and out once"
 void sortOnce(std::vector<SensorBegin>& visits) {
     std::sort(visits.begin(), visits.end(), isBefore);
     visits.erase(std::unique(visits.begin(), visits.end(), isSame), visits.end());
@@ -48,6 +51,7 @@ public:
     /// Updates whether the visitor is inside. Adds to passed if it has only passed through. False if the pair is no
     /// longer near and must be removed.
     bool search(SensorPair& pair) {
+        // What sleeps stays where it was, and inside or outside: no distance, no event.
         if (!pair.fresh && !isAwake(pair.sensor) && !isAwake(pair.visitor)) return true;
         const bool near = space_.boxesOverlap(pair.sensor, pair.visitor, pair.shift);
         const bool was = pair.inside;
@@ -73,6 +77,7 @@ private:
         const Distance apart = distance(sensor.def.shape, bodies_.pose(sensor.owner), visitor.def.shape,
                                         shifted(bodies_.pose(visitor.owner), pair.shift));
         pair.inside = apart.separation <= 0;
+        // Only what was outside before and after can have passed. What was inside ends by the distance alone.
         if (!pair.inside && !was && haveMet(pair, apart.separation, space_, paths_))
             passed.push_back(visitOf(bodies_, space_, pair));
     }
@@ -85,9 +90,12 @@ private:
     BodyPaths& paths_;
 };
 
+/// Begins are what is inside now and was not, ends what was and is not; what has only passed within the step is both.
+/// The lists are sorted, so the order of events is that of the shapes.
 void makeEvents(SensorStore& store, std::vector<SensorBegin> now, std::vector<SensorBegin> passed) {
     sortOnce(now);
     sortOnce(passed);
+    // A shape of several pieces may pass with one while another one is inside: then it has not left.
     std::erase_if(passed, [&](const SensorBegin& v) { return contains(now, v) || contains(store.inside, v); });
     std::vector<SensorBegin> ended = passed;
     store.begins = std::move(passed);
@@ -117,6 +125,7 @@ void addSensorPair(SensorStore& sensors, const Space& space, const Pair& pair, c
     sensors.pairs.push_back({first ? pair.a : pair.b, first ? pair.b : pair.a, first ? shift : Vec2(-shift)});
 }
 
+/// No event here: edits are between steps, and events are of a step.
 void removeSensorPairs(SensorStore& sensors, ProxyId proxy) {
     std::erase_if(sensors.pairs, [&](const SensorPair& pair) {
         const bool goes = pair.sensor == proxy || pair.visitor == proxy;
@@ -125,6 +134,8 @@ void removeSensorPairs(SensorStore& sensors, ProxyId proxy) {
     });
 }
 
+/// O(pairs), and O(awake bodies) for what was deflected; distances only for pairs of which one is awake. Events are
+/// made only if some visit has changed.
 void watchSensors(SensorStore& sensors, const BodyStore& bodies, const Space& space, const Trajectories& trajectories,
                   double dt) {
     BodyPaths paths(bodies, trajectories, dt);
@@ -132,6 +143,7 @@ void watchSensors(SensorStore& sensors, const BodyStore& bodies, const Space& sp
     std::size_t kept = 0;
     for (SensorPair& pair : sensors.pairs)
         if (search.search(pair)) sensors.pairs[kept++] = pair;
+    // The space reports a pair again when its bounds meet again.
     sensors.pairs.resize(kept);
     std::vector<SensorPair> deflected = findDeflectedPairs(sensors, bodies, space, paths);
     for (SensorPair& pair : deflected) search.searchDeflected(pair);

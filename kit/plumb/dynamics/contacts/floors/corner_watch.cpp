@@ -24,6 +24,8 @@ void CornerWatch::note(const PairBatch& batch, const ContactBatch& prepared, Kep
     }
 }
 
+/// An arrival has no slot yet, so gather does not see it. Without it, the step in which a box is laid against another
+/// would not know the floor. Only faces that lie on each other, with two points, cover something.
 void CornerWatch::noteArrival(ContactIndex index, const FreshLanes& fresh, std::size_t lane) {
     if (fresh.count[lane] < 2) return;
     const ContactRecord& contact = contacts_[index];
@@ -45,7 +47,8 @@ CornerFaces CornerWatch::facesOf(const Noted& noted) const {
     return faces;
 }
 
-/// On which bodies may the faces be covered, for all that is known?
+/// On which bodies may the faces be covered, for all that is known? The cheap questions come first: does anything new
+/// lie along the body, then along these faces; only what is left is searched for shapes.
 int CornerWatch::sidesToAsk(const Noted& noted) const {
     const int open = noted.kept == nullptr ? 0 : noted.kept->open[noted.lane];
     const int sides = noted.sides & ((flush_.any(noted.a, (open & floorA) != 0) ? floorA : 0) |

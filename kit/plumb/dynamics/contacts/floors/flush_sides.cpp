@@ -8,10 +8,12 @@ namespace plumb {
 
 namespace {
 
+/// Of the circle [-]: one for each bit of a word, so that what lies along a body is one number, and a question about it
+/// one AND. Each is 5.6 degrees wide.
 constexpr int sectors = 64;
 
-/// The sector of a direction. The angle is right to 0.2 degrees: it comes from the place on the square |x| + |y| = 1,
-/// and a cubic correction.
+/// The sector of a direction, without an arc tangent: the angle comes from the place on the square |x| + |y| = 1, and a
+/// cubic correction, right to 0.2 degrees.
 int sectorOf(float x, float y) {
     const float place = std::fabs(y) / (std::fabs(x) + std::fabs(y)) - 0.5f;  // from -1/2 to 1/2 in a quarter
     const float quarters = 0.5f + place * (1.25f - place * place);
@@ -28,6 +30,7 @@ std::uint64_t sidesAbout(int sector) {
     return std::rotl(std::uint64_t{0b11111}, sector - 2);
 }
 
+/// A manifold that is used again has not moved since it was seen: what lay along a face then was asked about then.
 bool wasSeen(KeptLanes& kept, std::size_t lane) {
     const bool was = isKept(kept, lane) && (kept.open[lane] & seenBit) != 0;
     kept.open[lane] |= seenBit;
@@ -41,10 +44,12 @@ std::uint8_t faceFrom(const Vec2f& normal, const Vec2f& face) {
     return static_cast<std::uint8_t>(1 + (between + sectors) % sectors);
 }
 
+/// O(contacts in the solver + bodies), once a step, and only in a step in which some contact at a corner was noted.
 void FlushSides::gather(ContactGraph& graph, const BodyStore& bodies) {
     sides_.assign(bodies.record.size(), {});
     for (std::size_t index = 0; index < graph.colours.size(); ++index)
         addColour(graph.colours[index], !isOfBoxes(index));
+    // What lies along a fixed body need not touch it, so no contact tells of it: all its sides count.
     constexpr std::uint64_t whole = ~std::uint64_t{0};
     for (std::size_t body = 0; body < sides_.size(); ++body)
         if (bodies.velocity[body].inverseMass == 0) sides_[body] = {whole, whole};
@@ -62,6 +67,7 @@ void FlushSides::addColour(Colour& colour, bool areKept) {
 
 void FlushSides::add(BodyIndex a, BodyIndex b, const Vec2f& normal, bool moved) {
     const std::uint64_t onA = sideOf(sectorOf(normal.x(), normal.y()));
+    // Seen from B, the other body lies in the opposite direction.
     const std::uint64_t onB = std::rotl(onA, sectors / 2);
     sides_[a].all |= onA;
     sides_[b].all |= onB;

@@ -13,6 +13,7 @@ struct BodyPair {
     float nx, ny;
 };
 
+/// The copies are solved and stored back at the lane's end. A wall's copy does not change: its inverse mass is 0.
 BodyPair load(const ContactBatch& batch, std::size_t lane, const SolverVelocity* velocity) {
     return {velocity[batch.bodyA[lane]], velocity[batch.bodyB[lane]], batch.normalX[lane], batch.normalY[lane]};
 }
@@ -22,16 +23,20 @@ void store(const ContactBatch& batch, std::size_t lane, const BodyPair& c, Solve
     velocity[batch.bodyB[lane]] = c.b;
 }
 
+/// vn of contact_solver.h: positive where the points part [m/s].
 float normalSpeed(const BodyPair& c, const PointLanes& p, std::size_t lane) {
     return (c.nx * (c.b.x - c.a.x) + c.ny * (c.b.y - c.a.y)) +
            (p.anchorTangentA[lane] * c.a.w - p.anchorTangentB[lane] * c.b.w);
 }
 
+/// vt of contact_solver.h, without the belt [m/s].
 float tangentSpeed(const BodyPair& c, const PointLanes& p, std::size_t lane) {
     return (c.nx * (c.b.y - c.a.y) - c.ny * (c.b.x - c.a.x)) +
            (p.anchorNormalB[lane] * c.b.w - p.anchorNormalA[lane] * c.a.w);
 }
 
+/// An impulse at a point along the normal, on B, and the opposite one on A [N s]. One product with the inverse mass
+/// serves shift and spin, as w = omega / rho (see SolverVelocity). pushTangent is the same along perp(n).
 void pushNormal(BodyPair& c, const PointLanes& p, std::size_t lane, float impulse) {
     const float ja = c.a.inverseMass * impulse;
     const float jb = c.b.inverseMass * impulse;
@@ -54,6 +59,7 @@ void pushTangent(BodyPair& c, const PointLanes& p, std::size_t lane, float impul
     c.b.w += jb * p.anchorNormalB[lane];
 }
 
+/// A torque impulse on B, and the opposite one on A [N m s].
 void twist(BodyPair& c, const ContactBatch& batch, std::size_t lane, float impulse) {
     c.a.w -= c.a.inverseMass * (batch.rollInverseGyrationA[lane] * impulse);
     c.b.w += c.b.inverseMass * (batch.rollInverseGyrationB[lane] * impulse);
@@ -91,6 +97,8 @@ Points::Each each(Find&& find) {
     return {{find(0), find(1)}};
 }
 
+/// Replaces the impulses of both points: the velocities change by the difference. So the sum of all passes stays
+/// limited, not each change (accumulated impulses).
 void setNormals(BodyPair& c, ContactBatch& batch, std::size_t lane, const Points::Each& now) {
     for (int i = 0; i < 2; ++i) {
         PointLanes& p = batch.points[i];
@@ -109,7 +117,9 @@ void setTangents(BodyPair& c, ContactBatch& batch, std::size_t lane, const Point
     }
 }
 
-/// A torque against rolling on each other, limited to rollingArm times the normal impulse.
+/// A torque against rolling on each other, limited to rollingArm times the normal impulse: the resistance of a wheel
+/// that is pressed flat. Test: "a disc with rolling resistance 0.2 slows down at 2/3 0.2 g = 1.308 m/s^2 and stands
+/// after 1.53 s"
 void solveRolling(BodyPair& c, ContactBatch& batch, std::size_t lane, const Solved& solved) {
     const float old = batch.rollImpulse[lane];
     const float normal = (solved.normal[0] + batch.points[0].normalImpulse[lane]) +
@@ -142,6 +152,8 @@ void forEachLane(Batch* batches, std::size_t contacts, Visit&& visit) {
     for (std::size_t i = 0; i < contacts; ++i) visit(batches[i / batchLanes], i % batchLanes);
 }
 
+/// Once a step, before the first sub-step. Bodies gather the velocity changes by the impulses of all their contacts,
+/// and kickBodies applies them in each half: so the contacts are not passed again for that.
 void gatherWarmStart(const ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies) {
     forEachLane(batches, contacts, [&](const ContactBatch& batch, std::size_t lane) {
         BodyPair pair = load(batch, lane, bodies.warm);
@@ -152,6 +164,7 @@ void gatherWarmStart(const ContactBatch* batches, std::size_t contacts, const So
             pushTangent(pair, p, lane, p.tangentImpulse[lane]);
         }
         if (batch.hasRollingResistance) twist(pair, batch, lane, batch.rollImpulse[lane]);
+        // warm is added to velocity as a whole, which must keep its inverse mass.
         pair.a.inverseMass = pair.b.inverseMass = 0;
         store(batch, lane, pair, bodies.warm);
     });
@@ -162,6 +175,9 @@ void solve(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodi
                 [&](ContactBatch& batch, std::size_t lane) { solveLane(batch, lane, bodies, pass); });
 }
 
+/// The second half of a sub-step. kickBodies has applied the impulses of the first half once more, as a guess; here the
+/// sum of both halves is limited to a push, so the second half may take back what the first half gave to correct
+/// positions. Where a gap is left, the points may close it within h, and no faster.
 void relaxPoints(BodyPair& c, ContactBatch& batch, std::size_t lane, const ContactPass& pass, const Solved& solved) {
     const Points::Each total =
         pointsOf(c, batch, lane)
@@ -175,6 +191,8 @@ void relaxPoints(BodyPair& c, ContactBatch& batch, std::size_t lane, const Conta
     solveAlong(c, batch, lane, solved);
 }
 
+/// The impulses of both halves count for events, friction loads and bounces. pushed tells storeBodies that the two
+/// bodies do not fly freely.
 void addTotals(ContactBatch& batch, std::size_t lane, const Solved& solved) {
     for (int i = 0; i < 2; ++i) {
         PointLanes& p = batch.points[i];
@@ -195,6 +213,9 @@ void relax(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodi
     });
 }
 
+/// Once, at the step's end: the points part at e times their approach at the step's start, but only where they have
+/// pushed, so that what was only near does not bounce. As before, it is the sum of a point's impulses that may not
+/// pull.
 void bounce(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies) {
     forEachLane(batches, contacts, [&](ContactBatch& batch, std::size_t lane) {
         if (!batch.bounces) return;
@@ -203,6 +224,7 @@ void bounce(ContactBatch* batches, std::size_t contacts, const SolverBodies& bod
         const auto bounces = [&](int i) {
             return batch.points[i].bounceSpeed[lane] > 0 && batch.points[i].totalNormal[lane] > 0;
         };
+        // A point that does not bounce takes no part: its impulse stays what it was.
         points.coupling = bounces(0) && bounces(1) ? points.coupling : 0;
         points.freedom = bounces(0) && bounces(1) ? points.freedom : 1;
         const Points::Each old = each([&](int i) { return batch.points[i].totalNormal[lane]; });
@@ -234,6 +256,8 @@ ContactImpulses impulsesOf(const ContactBatch& batch, std::size_t lane) {
     return solved;
 }
 
+/// For contacts of joint islands, which are solved again after their joints have changed (jointed/joint_contacts.cpp).
+/// Velocities are again as if the lane had not been solved.
 void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactImpulses& start) {
     BodyPair pair = load(batch, lane, bodies.velocity);
     setNormals(pair, batch, lane, {{start.normal[0], start.normal[1]}});
@@ -243,6 +267,8 @@ void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bod
     store(batch, lane, pair, bodies.velocity);
 }
 
+/// The first half of a sub-step: a gap may close within h (hard), an overlap is pushed out at the soft rate, but not
+/// faster than pushSpeed. bias of contact_solver.h: s/h, or biasRate s; share: massScale of softness.h.
 void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass) {
     BodyPair pair = load(batch, lane, bodies.velocity);
     const Points::Each now =

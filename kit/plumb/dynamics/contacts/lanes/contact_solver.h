@@ -37,7 +37,7 @@ struct ContactSolver {
     void (*solve)(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies, const ContactPass& pass);
     /// Solves without that push, at separations that are computed again from the displacements.
     void (*relax)(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies, const ContactPass& pass);
-    /// At the step's end: makes the points part at their bounceSpeed, if they have given an impulse in this step.
+    /// At the step's end: makes the points part at their bounceSpeed, if they have pushed in this step.
     void (*bounce)(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies);
 };
 

@@ -17,7 +17,8 @@ struct LanePreparer {
     using M = typename Wide<W>::Mask;
 
     /// A point that overlaps by less than this counts as just touching: an impact there is solved as a hard contact,
-    /// like one with a gap, and not as a soft one [m].
+    /// like one with a gap, and not as a soft one, which does not stop it in one sub-step [m]. It is above the rounding
+    /// of separations, and below what bodies at rest sink in.
     static constexpr float justTouching = 1e-5f;
     /// A point that overlaps by more than this and parts does not count as an impact [m].
     static constexpr float deep = 1e-4f;
@@ -26,7 +27,8 @@ struct LanePreparer {
     static I whole(int value) { return I{} + value; }
     static F at(const float* lanes) { return loadLanes<W>(lanes); }
 
-    /// Which points of the new manifold continue which points of the old one, as far as found.
+    /// Which points of the new manifold continue which points of the old one, as far as found. An old point has one
+    /// successor at most: two would start with twice the impulse.
     struct Matches {
         M same[2][2];    ///< [p][q]: point p is the successor of the old point q
         M single[2];     ///< p has no predecessor
@@ -79,9 +81,10 @@ struct LanePreparer {
         return found;
     }
 
-    /// If this step is not as long as the last one, the mean force of that one counts, and of a shorter one only its
-    /// share of this step; for the rest, the force before it: in a short step, a small change of speed is a large
-    /// force.
+    /// The impulse of half a sub-step with which a point starts [N s]: that of the last half sub-step, if steps are
+    /// equally long. If this step is not as long as the last one, the mean force of that one counts, and of a shorter
+    /// one only its share of this step; for the rest, the force before it: in a short step, a small change of speed is
+    /// a large force. Test: "towers stand for a minute while the step's length changes"
     static F carried(float* force, const float* impulse, const float* total, int lane, const StepLength& step) {
         if (step.ratio == 1) return at(impulse + lane);
         const float share = step.ratio > 1 ? 1 / step.ratio : 1.0f;
@@ -90,6 +93,7 @@ struct LanePreparer {
         return now * (1 / (step.inverse * static_cast<float>(step.halves)));
     }
 
+    /// All old impulses are read before any is written: the two points may have changed places.
     static void carry(ContactBatch& batch, ManifoldLanes& m, int lane, const Matches& found, const StepLength& step) {
         F normal[2], tangent[2];
         for (int q = 0; q < 2; ++q) {
@@ -116,6 +120,7 @@ struct LanePreparer {
         F resting;  ///< a slower approach is no impact: the speed gained by acceleration in half a step [m/s]
         F press;    ///< approach speed gained by both accelerations in a step [m/s]
 
+        /// resting and press depend on the normal, and so on whether it stays the one of the last step.
         void setNormal(F x, F y) {
             nx = x;
             ny = y;
@@ -131,6 +136,7 @@ struct LanePreparer {
 
     static Sides sides(const ContactBatch& batch, int lane, const BodyPlace* places, const SolverVelocity* velocity) {
         Sides s;
+        // A BodyPlace has sixteen floats in four rows: the second has inverseGyration as its z, the fourth the pull.
         const float* rows = &places->highX;
         s.velocityA = loadRows<W>(&velocity->x, batch.bodyA + lane);
         s.velocityB = loadRows<W>(&velocity->x, batch.bodyB + lane);
@@ -141,8 +147,11 @@ struct LanePreparer {
         return s;
     }
 
-    /// Would the bounces of this point, if it were alone, last longer than the step? Points that overlap and part are
-    /// left to the solver.
+    /// Would the bounces of this point, if it were alone, last longer than the step? Then the impact is solved by its
+    /// closed form (impacts/). Points that overlap and part are left to the solver.
+    /// v^2 = u^2 + 2 a s: impact speed. Bounces last 2 v/a (e + e^2 + ...), see bounces.h, so the test is 4 sum^2 v^2
+    /// >= (a dt)^2.
+    /// u opening [m/s], s separation [m], a dt press, e restitution [-]; fall = a s
     static M isClear(const Sides& s, F opening, F separation, F restitution, float inverseStep) {
         const F fall = larger(s.press * separation * inverseStep, F{});
         const F squared = opening * opening + 2 * fall;
@@ -166,7 +175,10 @@ struct LanePreparer {
         const F parting = restitution * -opening;
         const M fast = -opening > s.resting, near = separation > all(-justTouching);
         const M hits = fast ? near : M{};
+        // Just above 0, where the solver takes a point as a gap: hard, and closed within h.
         const F start = hits ? larger(separation, all(1e-9f)) : separation;
+        // What parts more slowly than its acceleration in half a step is no bounce: else what rests would never lie
+        // still.
         const F target = parting > s.resting ? parting : F{};
         storeLanes(p.normalMass + lane, present ? 1.0f / normalInverse : F{});
         storeLanes(p.tangentMass + lane, present ? 1.0f / tangentInverse : F{});
@@ -178,7 +190,8 @@ struct LanePreparer {
         return opening;
     }
 
-    /// The normal and the arms of this step, which stay those of the last one where a face rests on a face.
+    /// The normal and the arms of this step, which stay those of the last one where a face rests on a face. The
+    /// manifold keeps the true normal, for events, and for steps in which it is used again.
     static void placeArms(ContactBatch& batch, ManifoldLanes& m, int lane, Sides& s, const FreshLanes& fresh,
                           const RelativeLanes<W>& r, const M (&same)[2]) {
         const F localX = at(fresh.normalX + lane), localY = at(fresh.normalY + lane);

@@ -42,6 +42,8 @@ struct LaneReuser {
         storeLanes(now.sin + lane, r.sin);
         const F x0 = at(kept.pose.x + lane), y0 = at(kept.pose.y + lane);
         const F cos0 = at(kept.pose.cos + lane), sin0 = at(kept.pose.sin + lane);
+        // B's turn relative to A since then. Cosine and sine 0 of a manifold that was not kept give 0 here, and so
+        // unknown.
         const F cos = r.cos * cos0 + r.sin * sin0, sin = r.sin * cos0 - r.cos * sin0;
         const F nx = at(manifolds.normalX + lane), ny = at(manifolds.normalY + lane);
         const F radii = at(pairs.radiusA + lane) + at(pairs.radiusB + lane);
@@ -57,11 +59,14 @@ struct LaneReuser {
             const ManifoldPointLanes& point = manifolds.points[p];
             FreshPoint& out = fresh.points[p];
             const F x = at(point.x + lane), y = at(point.y + lane);
+            // How far B's point has come in A's frame, d = R(turn) (p - b0) + b - p: p the point, b0 and b B's centre
+            // then and now. The separation changes by n.d, to first order.
             const F armX = x - x0, armY = y - y0;
             const F moveX = (cos * armX - sin * armY) + (r.dx - x), moveY = (sin * armX + cos * armY) + (r.dy - y);
             const F separation = at(kept.separations[p] + lane) + (nx * moveX + ny * moveY);
             const I feature = loadLanes<W>(point.feature + lane);
             const M corners = (feature & whole(edges)) == I{};
+            // Between two corners, a move d aside turns the normal by d / distance: within turnOfNormal it is right.
             const F distance = larger(separation + radii, F{}) * turnOfNormal;
             const F most = corners ? smaller(distance, allowed) : allowed;
             const M moved = moveX * moveX + moveY * moveY > most * most, apart = separation > all(contactMargin);

@@ -7,7 +7,7 @@
 // m inverse masses, a and b the tangential parts of the anchors on A and B times rho (see contact_solver.h), old the
 // impulses so far, e softness, share = 1 / (1 + e). Four cases, of which one holds: both push, one of them, none.
 // Solved one after the other, the two would turn a plank that falls flat, and a mirror would change the result.
-// Along the tangent both points lie on one line: they give one impulse, limited by the sum of their limits, and share
+// Along the tangent both points lie on one line: they get one impulse, limited by the sum of their limits, and share
 // it as those. Source: Cottle, Pang, Stone, "The linear complementarity problem", 1992; Catto, "Iterative dynamics",
 // GDC 2005. Test: "a plank that falls flat stays flat"
 #pragma once
@@ -33,6 +33,8 @@ struct TwoPoints {
 
     [[gnu::always_inline]] static inline TwoPoints of(const Each& mass, F inverseMassA, F inverseMassB, const Each& a,
                                                       const Each& b) {
+        // K_00 K_11 - K_01^2, multiplied out: the difference of the two products would be all rounding where the points
+        // are close together.
         const F da = a.at[0] - a.at[1], db = b.at[0] - b.at[1], across = a.at[0] * b.at[1] - a.at[1] * b.at[0];
         const F apart = (inverseMassA + inverseMassB) * (inverseMassA * (da * da) + inverseMassB * (db * db)) +
                         inverseMassA * inverseMassB * (across * across);
@@ -45,6 +47,7 @@ struct TwoPoints {
     /// The impulses after which the points have no speed that pushes them together. speed: with the bias.
     [[gnu::always_inline]] inline Each normals(const Each& old, const Each& speed, const Each& share) const {
         const F m0 = share.at[0] * mass.at[0], m1 = share.at[1] * mass.at[1];
+        // The impulse of each point if the other one's were 0.
         const F alone0 = share.at[0] * old.at[0] + m0 * (coupling * old.at[1] - speed.at[0]);
         const F alone1 = share.at[1] * old.at[1] + m1 * (coupling * old.at[0] - speed.at[1]);
         const F both = share.at[0] * share.at[1], least = F{} + 1e-30F;
@@ -56,8 +59,8 @@ struct TwoPoints {
         return {{larger(alone0 - m0 * (coupling * second), F{}), second}};
     }
 
-    /// The impulses after which the points do not slide. limit: what a point holds; 0 where it is negative. solved:
-    /// impulses that count for the limits in addition.
+    /// The impulses after which the points do not slide. limit: mu times the point's normal impulse, 0 where that is
+    /// negative [N s]. solved: impulses that count for the limits in addition [N s].
     [[gnu::always_inline]] static inline Each tangents(const Each& tangentMass, const Each& old, const Each& solved,
                                                        const Each& speed, const Each& limit) {
         const F limit0 = larger(limit.at[0], F{}), limit1 = larger(limit.at[1], F{}), room = limit0 + limit1;
@@ -66,6 +69,7 @@ struct TwoPoints {
             (part0 * tangentMass.at[0] + part1 * tangentMass.at[1]) * (part0 * speed.at[0] + part1 * speed.at[1]);
         const F sum = (solved.at[0] + old.at[0]) + (solved.at[1] + old.at[1]);
         const F now = larger(smaller(sum - slow, room), -room);
+        // A contact without points keeps its zeros.
         const auto acts = tangentMass.at[0] + tangentMass.at[1] > F{};
         return {{acts ? part0 * now - solved.at[0] : old.at[0], acts ? part1 * now - solved.at[1] : old.at[1]}};
     }
