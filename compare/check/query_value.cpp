@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <compare/check/course.h>
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include <compare/closed_form/kepler.h>
-#include <compare/closed_form/oscillator.h>
-#include <compare/closed_form/pendulum.h>
+#include <compare/formula/kepler.h>
+#include <compare/formula/oscillator.h>
+#include <compare/formula/pendulum.h>
 
 namespace plumb::compare {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where is the body of one motion of a closed form at time t?
 #pragma once
-#include <compare/engine/engine.h>
+#include <compare/scene/state.h>
 
 namespace plumb::compare {
 

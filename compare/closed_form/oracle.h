@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <compare/engine/engine.h>
+#include <compare/scene/state.h>
 #include <compare/scene/scene.h>
 
 namespace plumb::compare {

@@ -5,26 +5,15 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <compare/scene/scene.h>
+#include <compare/scene/state.h>
 
 namespace plumb::compare {
-
-struct BodyState {
-    Vec2 position{0, 0};         ///< of the body's origin [m]
-    double angle = 0;            ///< not reset after whole turns [rad]
-    Vec2 velocity{0, 0};         ///< of the centre of mass [m/s]
-    double angularVelocity = 0;  ///< [rad/s]
-    bool present = true;         ///< false before it appears; then the other members say where it will appear
-};
-
-/// Says for each joint, by its index in the scene, whether it has broken. A joint beyond the list's end has not broken.
-using Broken = std::vector<bool>;
 
 /// A part of a step.
 struct Phase {
@@ -114,10 +103,6 @@ struct Engine : EngineCard {
     /// What the engine's user has to do from outside, if the scene has something that the engine lacks. One sentence
     /// for each.
     std::function<std::vector<std::string>(const Scene&)> notes{};
-};
-
-struct Unsupported : std::runtime_error {
-    using std::runtime_error::runtime_error;
 };
 
 /// All engines that can be in a build, in the order in which they are shown.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include <compare/engine/filters.h>
+#include <compare/scene/shape_pair.h>
 
 namespace plumb::compare {
 namespace {

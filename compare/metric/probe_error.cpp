@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 #include <compare/metric/missing.h>
 
 namespace plumb::compare {

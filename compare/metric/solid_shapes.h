@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <compare/engine/filters.h>
+#include <compare/scene/shape_pair.h>
 #include <compare/scene/scene.h>
 #include <plumb/math/transform.h>
 

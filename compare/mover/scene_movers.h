@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <compare/engine/engine.h>
+#include <compare/scene/state.h>
 #include <compare/mover/parts.h>
 
 namespace plumb::compare {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 #include <compare/metric/geometry.h>
 
 namespace plumb::compare {

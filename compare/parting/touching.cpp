@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 #include <compare/metric/observation.h>
 #include <plumb/broad/bvh.h>
 #include <plumb/collide/distance.h>

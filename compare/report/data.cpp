@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 #include <compare/metric/conserved.h>
 #include <compare/report/curve.h>
 #include <compare/report/engines_data.h>

@@ -9,7 +9,7 @@
 #include <compare/closed_form/free/meetings.h>
 #include <compare/closed_form/free/place_free.h>
 #include <compare/closed_form/free/tips.h>
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 namespace {

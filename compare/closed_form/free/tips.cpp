@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include <compare/closed_form/motion_state.h>
-#include <compare/closed_form/pendulum.h>
+#include <compare/formula/pendulum.h>
 
 namespace plumb::compare {
 namespace {

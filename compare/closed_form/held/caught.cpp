@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/closed_form/ballistic_pendulum.h>
+#include <compare/formula/ballistic_pendulum.h>
 #include <compare/closed_form/free/first_descent.h>
 #include <compare/closed_form/free/free_body.h>
 #include <compare/closed_form/held/held_motion.h>

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/closed_form/atwood.h>
+#include <compare/formula/atwood.h>
 #include <compare/closed_form/free/free_body.h>
 #include <compare/closed_form/held/held_motion.h>
 #include <compare/closed_form/held/holding.h>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 #include <compare/scene/scene.h>
 #include <plumb/shapes/mass.h>
 

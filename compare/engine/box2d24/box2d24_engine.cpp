@@ -13,7 +13,7 @@
 #include <compare/engine/box2d24/box2d24_body.h>
 #include <compare/engine/box2d24/box2d24_joint.h>
 #include <compare/engine/engine_settings.h>
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 #include <compare/engine/outside_notes.h>
 #include <compare/engine/single.h>
 #include <compare/field/scene_fields.h>

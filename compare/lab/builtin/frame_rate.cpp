@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include <compare/closed_form/bounce.h>
+#include <compare/formula/flights.h>
 #include <compare/closed_form/oracle.h>
 #include <compare/engine/plumb_world.h>
 #include <compare/lab/builtin/labs.h>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <string>
 
-#include <compare/mover/parts.h>
 #include <compare/scene/fields.h>
 #include <compare/scene/named.h>
 #include <compare/scene/require_fields.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/kepler.h>
+#include <compare/formula/kepler.h>
 
 #include <cmath>
 #include <numbers>

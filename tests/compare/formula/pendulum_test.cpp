@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/pendulum.h>
+#include <compare/formula/pendulum.h>
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ Swing integrated(const Pendulum& pendulum, double t, int steps) {
 }  // namespace
 
 TEST_CASE("a pendulum of 1 m swings 2.0060666807 s, and 1.0399733432 times as long at 45 degrees",
-          "[compare][closed_form][facts][law]") {
+          "[compare][formula][facts][law]") {
     // Worked numbers of response, pendulum.
     CHECK(std::abs(smallPeriod(1) - 2.0060666807) < digits);
     const auto factor = [](double angle) { return periodOf({.amplitude = degrees(angle)}) / smallPeriod(1); };
@@ -56,13 +56,13 @@ TEST_CASE("a pendulum of 1 m swings 2.0060666807 s, and 1.0399733432 times as lo
 }
 
 TEST_CASE("a rod of 1 m swings 1.6379465859 s about its end, a disc of 1 m 2.4569198789 s about its rim",
-          "[compare][closed_form][facts][law]") {
+          "[compare][formula][facts][law]") {
     // Worked numbers of response, physical pendulum. L = I / (m l): rod (1/3) / (1/2), disc (1/2 + 1) / 1.
     CHECK(std::abs(smallPeriod(2.0 / 3) - 1.6379465859) < digits);
     CHECK(std::abs(smallPeriod(1.5) - 2.4569198789) < digits);
 }
 
-TEST_CASE("a pendulum's closed form solves its equation of motion", "[compare][closed_form][law]") {
+TEST_CASE("a pendulum's closed form solves its equation of motion", "[compare][formula][law]") {
     for (const double angle : {1.0, 45.0, 90.0, 150.0, -150.0, 179.0}) {
         const Pendulum pendulum{.equivalentLength = 1.005, .amplitude = degrees(angle)};
         for (const double t : {0.0, 0.1, 0.7, 1.3, 5.0}) {
@@ -79,7 +79,7 @@ TEST_CASE("a pendulum's closed form solves its equation of motion", "[compare][c
 }
 
 TEST_CASE("a pendulum released at 150 degrees hangs straight down after a quarter period, at 6.0504 rad/s",
-          "[compare][closed_form][law]") {
+          "[compare][formula][law]") {
     const Pendulum pendulum{.amplitude = degrees(150)};
     const double period = periodOf(pendulum);
     const Swing down = swingAt(pendulum, period / 4);
@@ -94,7 +94,7 @@ TEST_CASE("a pendulum released at 150 degrees hangs straight down after a quarte
 }
 
 TEST_CASE("velocity Verlet at 240 Hz is off by 0.07 mm at 45 degrees, 0.03 mm at 150, at 60 Hz by 1.2 mm",
-          "[compare][closed_form]") {
+          "[compare][formula]") {
     // What the limits of the pendulum scenes give as their reason: 5 s, 1 m from the hinge.
     const auto worst = [](double angle, double h) {
         const Pendulum pendulum{.equivalentLength = 1.005, .amplitude = degrees(angle)};
@@ -113,7 +113,7 @@ TEST_CASE("velocity Verlet at 240 Hz is off by 0.07 mm at 45 degrees, 0.03 mm at
     CHECK(std::abs(worst(45, 1.0 / 60) - 1.2e-3) < 0.05e-3);
 }
 
-TEST_CASE("a pendulum keeps its energy to 1e-14 for 100 s", "[compare][closed_form][law]") {
+TEST_CASE("a pendulum keeps its energy to 1e-14 for 100 s", "[compare][formula][law]") {
     const Pendulum pendulum{.equivalentLength = 0.7, .gravity = 3.7, .amplitude = degrees(150)};
     const auto energy = [&](double t) {
         const Swing s = swingAt(pendulum, t);
@@ -123,7 +123,7 @@ TEST_CASE("a pendulum keeps its energy to 1e-14 for 100 s", "[compare][closed_fo
     for (int i = 1; i <= 1000; ++i) CHECK(std::abs(energy(0.1 * i) / energy(0) - 1) < 1e-14);
 }
 
-TEST_CASE("a pendulum released at 0 degrees hangs still", "[compare][closed_form]") {
+TEST_CASE("a pendulum released at 0 degrees hangs still", "[compare][formula]") {
     const Swing still = swingAt({.amplitude = 0}, 3);
     CHECK(still.angle == 0);
     CHECK(still.angularVelocity == 0);

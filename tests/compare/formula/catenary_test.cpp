@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/catenary.h>
+#include <compare/formula/catenary.h>
 
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace plumb::compare {
 
 TEST_CASE("a chain of 20 links spans its hooks, each link as long as it is, and hangs alike on both sides",
-          "[compare][closed_form]") {
+          "[compare][formula]") {
     const HungChain chain{.left = {-2, 3}, .span = 4, .links = 20, .linkLength = 0.25};
     const std::vector<Vec2> hinges = hingesOf(chain);
     REQUIRE(hinges.size() == 21);
@@ -20,7 +20,7 @@ TEST_CASE("a chain of 20 links spans its hooks, each link as long as it is, and 
     }
 }
 
-TEST_CASE("every link of a hung chain is in balance", "[compare][closed_form][law]") {
+TEST_CASE("every link of a hung chain is in balance", "[compare][formula][law]") {
     const HungChain chain{.span = 3, .links = 7, .linkLength = 0.6};
     const std::vector<Vec2> hinges = hingesOf(chain);
     // A link of weight 1 is pulled at its right end by (H, V + 1) and at its left by (-H, -V), and weighs in its
@@ -36,7 +36,7 @@ TEST_CASE("every link of a hung chain is in balance", "[compare][closed_form][la
     }
 }
 
-TEST_CASE("a chain of many links hangs as a catenary", "[compare][closed_form][law]") {
+TEST_CASE("a chain of many links hangs as a catenary", "[compare][formula][law]") {
     // y = a cosh(x / a) with a = 1 over x = -1 .. 1 is 2 sinh 1 long and sags by cosh 1 - 1.
     const int links = 2000;
     const HungChain chain{.left = {-1, 0}, .span = 2, .links = links, .linkLength = 2 * std::sinh(1.0) / links};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is the coefficient of a pair of materials, if an engine leaves the rule to its user?
+// May two shapes touch, and with which coefficients, if an engine leaves the rule to its user?
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,13 @@
 #include <plumb/space/shape_def.h>
 
 namespace plumb::compare {
+
+/// The rule of the kit and of most engines. Shapes of the same group always touch, or never if the group is negative.
+/// For other shapes, category and mask decide.
+inline bool accepts(const Filter& a, const Filter& b) {
+    if (a.group == b.group && a.group != 0) return a.group > 0;
+    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
 
 /// If two materials have different rules, the one that is later in Mix applies.
 inline Mix ruleOf(Mix a, Mix b) {
@@ -27,8 +34,8 @@ Number mixed(Mix rule, Number a, Number b) {
     return std::sqrt(a * b);
 }
 
-/// True if both coefficients are mixed as in Box2D.
-inline bool mixesAsBox2d(const Material& material) {
+/// True if friction is the geometric mean and restitution the larger one: the rules of most engines.
+inline bool mixesAsUsual(const Material& material) {
     return material.frictionMix == Mix::GeometricMean && material.restitutionMix == Mix::Maximum;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/bounce.h>
+#include <compare/formula/flights.h>
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ double apexOf(const Flight& flight) {
 }  // namespace
 
 TEST_CASE("a ball dropped from 1 m at e = 0.8 bounces for 4.0637127689 s along 4.5555555556 m",
-          "[compare][closed_form][facts][law]") {
+          "[compare][formula][facts][law]") {
     const auto flights = bouncingFlights({.height = 1, .restitution = 0.8, .until = 10, .shortestFlight = 1e-12});
     // Worked numbers of response: T = sqrt(2 h / g) (1 + e) / (1 - e), D = h (1 + e^2) / (1 - e^2), to ten decimals.
     // What is cut off, flights below 1e-12 s, adds up to 5e-12 s.
@@ -29,7 +29,7 @@ TEST_CASE("a ball dropped from 1 m at e = 0.8 bounces for 4.0637127689 s along 4
     CHECK(flights.back().acceleration.isZero(0));
 }
 
-TEST_CASE("a ball dropped from 5 m at e = 1 returns to 5 m twenty times in 40.4 s", "[compare][closed_form][law]") {
+TEST_CASE("a ball dropped from 5 m at e = 1 returns to 5 m twenty times in 40.4 s", "[compare][formula][law]") {
     const auto flights = bouncingFlights({.rest = {3, 0.5}, .height = 5, .restitution = 1, .until = 40.4});
     REQUIRE(flights.size() == 21);
     CHECK(flights[0].position == Vec2(3, 5.5));
@@ -42,7 +42,7 @@ TEST_CASE("a ball dropped from 5 m at e = 1 returns to 5 m twenty times in 40.4 
 }
 
 TEST_CASE("of a ball dropped from 2.7 m at e = 0.8 seventeen flights are longer than 1/30 s",
-          "[compare][closed_form]") {
+          "[compare][formula]") {
     const auto flights = bouncingFlights({.height = 2.7, .restitution = 0.8, .until = 10, .shortestFlight = 1.0 / 30});
     REQUIRE(flights.size() == 1 + 17 + 1);
     CHECK(2 * flights[17].velocity.y() / g > 1.0 / 30);
@@ -50,7 +50,7 @@ TEST_CASE("of a ball dropped from 2.7 m at e = 0.8 seventeen flights are longer 
     CHECK(flights[18].velocity.isZero(0));
 }
 
-TEST_CASE("flights that start after the end are left out", "[compare][closed_form]") {
+TEST_CASE("flights that start after the end are left out", "[compare][formula]") {
     // The fall from 5 m takes 1.0096 s.
     CHECK(bouncingFlights({.height = 5, .until = 1.0}).size() == 1);
     CHECK(bouncingFlights({.height = 5, .until = 1.01}).size() == 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/pendulum.h>
+#include <compare/formula/pendulum.h>
 
 #include <algorithm>
 #include <cmath>

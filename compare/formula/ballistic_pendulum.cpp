@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/ballistic_pendulum.h>
+#include <compare/formula/ballistic_pendulum.h>
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/oscillator.h>
+#include <compare/formula/oscillator.h>
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 namespace plumb::compare {
 
-TEST_CASE("1 kg on 4 N/m with 0.4 N s/m is at -0.2580702634 m after 1 s", "[compare][closed_form][facts][law]") {
+TEST_CASE("1 kg on 4 N/m with 0.4 N s/m is at -0.2580702634 m after 1 s", "[compare][formula][facts][law]") {
     // Worked numbers of response, spring: ten decimals, and a period of 3.1574194170 s
     const Oscillator damped{.mass = 1, .stiffness = 4, .damping = 0.4, .offset = 1};
     CHECK(std::abs(displacementAt(damped, 1).value + 0.2580702634) < 6e-11);
@@ -17,7 +17,7 @@ TEST_CASE("1 kg on 4 N/m with 0.4 N s/m is at -0.2580702634 m after 1 s", "[comp
 }
 
 TEST_CASE("an undamped mass is back after 2 pi sqrt(m / k), and half of that later at the other side",
-          "[compare][closed_form][law]") {
+          "[compare][formula][law]") {
     const Oscillator free{.mass = 9, .stiffness = 4, .offset = 0.5};
     const double period = 3 * 3.141592653589793;  // sqrt(9 / 4) = 1.5
     for (int turn = 1; turn <= 100; ++turn) {
@@ -26,7 +26,7 @@ TEST_CASE("an undamped mass is back after 2 pi sqrt(m / k), and half of that lat
     }
 }
 
-TEST_CASE("an oscillator's closed form solves its equation of motion, damped or not", "[compare][closed_form][law]") {
+TEST_CASE("an oscillator's closed form solves its equation of motion, damped or not", "[compare][formula][law]") {
     // Critical at 2 sqrt(m k) = 8; on either side of it a bare hair away, too.
     for (const double damping : {0.0, 0.5, 4.0, 8 - 1e-7, 8.0, 8 + 1e-7, 10.0, 200.0}) {
         const Oscillator o{.mass = 2, .stiffness = 8, .damping = damping, .offset = -0.3, .speed = 1.5};
@@ -46,7 +46,7 @@ TEST_CASE("an oscillator's closed form solves its equation of motion, damped or 
     }
 }
 
-TEST_CASE("a mass that creeps through a thick damper never runs away", "[compare][closed_form]") {
+TEST_CASE("a mass that creeps through a thick damper never runs away", "[compare][formula]") {
     const Oscillator thick{.mass = 1, .stiffness = 1, .damping = 1e4, .offset = 1};
     CHECK(std::abs(displacementAt(thick, 1e4).value - std::exp(-1.0)) < 1e-7);  // slow root: k / c
     CHECK(std::isfinite(displacementAt(thick, 1e9).value));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 
 #include "catch.h"
 #include "compare/scripted.h"

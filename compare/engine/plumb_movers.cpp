@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <compare/mover/plumb_movers.h>
+#include <compare/engine/plumb_movers.h>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 

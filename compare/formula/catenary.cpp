@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/catenary.h>
+#include <compare/formula/catenary.h>
 
 #include <cmath>
 

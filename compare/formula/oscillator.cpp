@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/oscillator.h>
+#include <compare/formula/oscillator.h>
 
 #include <cmath>
 
