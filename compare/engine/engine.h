@@ -119,4 +119,8 @@ const std::string& rivalName();
 /// engine is not known, its name.
 std::string columnName(const std::string& name, const std::string& version);
 
+/// Throws std::invalid_argument for an unknown engine; it names the field, the name, and the nearest known name. An
+/// engine is known even if this build does not have it.
+void validateEngineNames(const Scene& scene);
+
 }  // namespace plumb::compare

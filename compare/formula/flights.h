@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // In which flights does a ball move that is dropped on a floor?
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include <plumb/math/vec2.h>
@@ -32,6 +33,23 @@ struct DroppedBall {
 /// Source: textbook; Newton's law of impact at each landing. Exact.
 /// Tests: "a ball dropped from 1 m at e = 0.8 bounces for 4.0637127689 s",
 ///        "a ball dropped from 5 m at e = 1 returns to 5 m twenty times"
-std::vector<Flight> bouncingFlights(const DroppedBall& ball);
+inline std::vector<Flight> bouncingFlights(const DroppedBall& ball) {
+    const Vec2 down(0, -ball.gravity);
+    const double fall = std::sqrt(2 * ball.height / ball.gravity);
+    std::vector<Flight> flights{{.position = ball.rest + Vec2(0, ball.height), .acceleration = down}};
+    double start = fall;
+    double speed = ball.gravity * fall;
+    while (start <= ball.until) {
+        speed *= ball.restitution;
+        const double lasts = 2 * speed / ball.gravity;
+        if (lasts <= ball.shortestFlight) {
+            flights.push_back({.start = start, .position = ball.rest});
+            break;
+        }
+        flights.push_back({.start = start, .position = ball.rest, .velocity = {0, speed}, .acceleration = down});
+        start += lasts;
+    }
+    return flights;
+}
 
 }  // namespace plumb::compare

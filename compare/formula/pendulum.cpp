@@ -54,4 +54,13 @@ Swing swingAt(const Pendulum& pendulum, double t) {
     return {2 * std::asin(std::clamp(modulus * std::sin(phi), -1.0, 1.0)), 2 * modulus * rate * std::cos(phi)};
 }
 
+double riseOf(const BallisticPendulum& pendulum) {
+    const double together = pendulum.bullet * pendulum.speed / (pendulum.bullet + pendulum.block);
+    return together * together / (2 * pendulum.gravity);
+}
+
+double amplitudeOf(const BallisticPendulum& pendulum) {
+    return 2 * std::asin(std::sqrt(riseOf(pendulum) / (2 * pendulum.length)));
+}
+
 }  // namespace plumb::compare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where is a pendulum of any amplitude at time t?
+// Where is a pendulum of any amplitude at time t, and how far does one swing that a bullet hits?
 #pragma once
 
 namespace plumb::compare {
@@ -28,5 +28,22 @@ double periodOf(const Pendulum& pendulum);
 /// "Mechanics", section 11, problem 1). sn and cn by descending Landen: Abramowitz, Stegun, 16.4. Error about 1e-14 a
 /// period. Test: "a pendulum's closed form solves its equation of motion"
 Swing swingAt(const Pendulum& pendulum, double t);
+
+/// The block hangs on parallel rods, so that it does not turn.
+struct BallisticPendulum {
+    double bullet = 0.01;   ///< m [kg]
+    double block = 1;       ///< M [kg]
+    double speed = 100;     ///< v of the bullet, horizontal [m/s]
+    double length = 1;      ///< of the rods [m]
+    double gravity = 9.81;  ///< [m/s^2]
+};
+
+/// h = (m v / (m + M))^2 / (2 g) [m].
+/// Source: Robins 1742; momentum is kept while the bullet stops in the block, and energy after that.
+/// Test: "a bullet of 10 g at 100.04 m/s lifts a block of 1 kg by 5 cm"
+double riseOf(const BallisticPendulum& pendulum);
+
+/// acos(1 - h / l), the angle of the rods from straight down [rad]. Holds: h < 2 l.
+double amplitudeOf(const BallisticPendulum& pendulum);
 
 }  // namespace plumb::compare

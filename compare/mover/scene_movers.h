@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include <compare/scene/state.h>
 #include <compare/mover/parts.h>
+#include <compare/scene/state.h>
 
 namespace plumb::compare {
 

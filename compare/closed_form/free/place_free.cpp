@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/free/place_free.h>
+#include <compare/closed_form/free/free_body.h>
 
 #include <algorithm>
 #include <cmath>

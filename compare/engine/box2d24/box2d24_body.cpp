@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstdint>
 
-#include <compare/scene/shape_pair.h>
 #include <compare/engine/outline.h>
 #include <compare/engine/single.h>
+#include <compare/scene/shape_pair.h>
 
 namespace plumb::compare {
 namespace {

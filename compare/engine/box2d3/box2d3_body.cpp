@@ -8,9 +8,9 @@
 #include <cmath>
 #include <vector>
 
-#include <compare/scene/shape_pair.h>
 #include <compare/engine/outline.h>
 #include <compare/engine/single.h>
+#include <compare/scene/shape_pair.h>
 
 namespace plumb::compare {
 namespace {

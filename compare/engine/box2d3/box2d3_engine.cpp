@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/engine/box2d3/box2d3_engine.h>
+#include <compare/engine/engines.h>
 
 #include <box2d/box2d.h>
 #include <box2d/constants.h>
@@ -16,12 +16,12 @@
 #include <compare/engine/box2d3/box2d3_joint.h>
 #include <compare/engine/box2d3/box2d3_mover.h>
 #include <compare/engine/engine_settings.h>
-#include <compare/scene/joint_geometry.h>
-#include <compare/scene/shape_pair.h>
 #include <compare/engine/outside_notes.h>
 #include <compare/engine/single.h>
 #include <compare/field/scene_fields.h>
 #include <compare/mover/scene_movers.h>
+#include <compare/scene/joint_geometry.h>
+#include <compare/scene/shape_pair.h>
 
 namespace plumb::compare {
 namespace {

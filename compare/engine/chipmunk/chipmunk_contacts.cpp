@@ -7,7 +7,6 @@
 
 #include <compare/engine/chipmunk/chipmunk_body.h>
 #include <compare/scene/shape_pair.h>
-#include <compare/scene/shape_pair.h>
 
 namespace plumb::compare {
 namespace {

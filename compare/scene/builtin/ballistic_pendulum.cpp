@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <compare/formula/ballistic_pendulum.h>
 #include <compare/formula/pendulum.h>
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>

@@ -7,8 +7,7 @@
 
 namespace plumb::compare {
 
-TEST_CASE("3 kg beside 2 kg fall at 1.962 m/s^2 and pull the rope with 23.544 N",
-          "[compare][formula][facts][law]") {
+TEST_CASE("3 kg beside 2 kg fall at 1.962 m/s^2 and pull the rope with 23.544 N", "[compare][formula][facts][law]") {
     const AtwoodMachine machine{.massA = 2, .massB = 3};
     CHECK(std::abs(accelerationOf(machine) - 1.962) < 1e-14);  // Worked numbers of response, Atwood
     CHECK(std::abs(tensionOf(machine) - 23.544) < 1e-13);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/formula/ballistic_pendulum.h>
+#include <compare/formula/pendulum.h>
 
 #include <cmath>
 

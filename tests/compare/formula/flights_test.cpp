@@ -41,8 +41,7 @@ TEST_CASE("a ball dropped from 5 m at e = 1 returns to 5 m twenty times in 40.4 
     CHECK(std::abs(flights[20].start - 19.5 * 2.0192751093) < 1e-8);
 }
 
-TEST_CASE("of a ball dropped from 2.7 m at e = 0.8 seventeen flights are longer than 1/30 s",
-          "[compare][formula]") {
+TEST_CASE("of a ball dropped from 2.7 m at e = 0.8 seventeen flights are longer than 1/30 s", "[compare][formula]") {
     const auto flights = bouncingFlights({.height = 2.7, .restitution = 0.8, .until = 10, .shortestFlight = 1.0 / 30});
     REQUIRE(flights.size() == 1 + 17 + 1);
     CHECK(2 * flights[17].velocity.y() / g > 1.0 / 30);

@@ -9,8 +9,7 @@
 namespace plumb::compare {
 
 // T = 2 pi sqrt(a^3 / mu), so mu = a^3 (2 pi / T)^2; the acceleration by a difference of the velocity.
-TEST_CASE("an ellipse's closed form obeys the inverse square law, and sweeps even areas",
-          "[compare][formula][law]") {
+TEST_CASE("an ellipse's closed form obeys the inverse square law, and sweeps even areas", "[compare][formula][law]") {
     for (const double e : {0.0, 0.3, 0.8, 0.95, 1.0}) {
         const KeplerOrbit orbit{2, e, 5};
         const double turn = 2 * std::numbers::pi / orbit.period, mu = 8 * turn * turn;

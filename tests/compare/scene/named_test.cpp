@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/scene/nearest.h>
+#include <compare/scene/named.h>
 
 #include <vector>
 

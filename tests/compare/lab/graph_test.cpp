@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/lab/power_law.h>
+#include <compare/lab/graph.h>
 
 #include <cmath>
 #include <vector>

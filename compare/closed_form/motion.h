@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Where is the body of one motion of a closed form at time t?
+// What is one motion of a closed form, and where is its body at time t?
 #pragma once
+#include <compare/scene/closed_form.h>
 #include <compare/scene/state.h>
 
 namespace plumb::compare {
+
+struct WorkedMotion {
+    BodyMotion motion{};  ///< with its numbers
+    double until = 0;     ///< it holds until this time; 0: to the scene's end [s]
+};
 
 /// The state of a body of a definition at t >= 0 [s]; all numbers are NaN before the first flight. The motion must hold
 /// its numbers itself: if its numbers must first be computed from the scene, all numbers are NaN.

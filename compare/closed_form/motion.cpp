@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/motion_state.h>
+#include <compare/closed_form/motion.h>
 
 #include <algorithm>
 #include <cmath>
