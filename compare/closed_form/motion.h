@@ -3,6 +3,7 @@
 #pragma once
 #include <compare/scene/closed_form.h>
 #include <compare/scene/state.h>
+#include <plumb/dynamics/body_def.h>
 
 namespace plumb::compare {
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <compare/scene/scene.h>
 #include <compare/scene/state.h>
 #include <plumb/shapes/mass.h>
 
