@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <compare/bench/integrity_json.h>
+#include <compare/bench/integrity.h>
 
 namespace plumb::compare {
 namespace {

@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include <compare/bench/integrity.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <compare/metric/missing.h>
 #include <compare/metric/observation.h>
 
 namespace plumb::compare {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json lengthJson(const std::optional<double>& length) {
+    if (!length) return nullptr;
+    return std::isinf(*length) ? Json("infinite") : Json(*length);
+}
+
+std::optional<double> lengthFrom(const Json& json) {
+    if (json.is_null()) return {};
+    return json.is_string() ? unbounded : json.get<double>();
+}
+
+}  // namespace
 
 bool isBroken(const Integrity& seen) {
     constexpr double torn = 1;  // the gap of a joint that holds nothing any more [m]
@@ -34,6 +50,20 @@ void IntegrityWatch::look(std::span<const BodyState> states, const Broken& broke
     if (geometry_.anyMayTouch()) larger(seen_.overlap, geometry_.penetration(states));
     if (geometry_.anyJoint()) larger(seen_.jointGap, geometry_.jointError(states, broken));
     seen_.passedWalls = walls_.count(states);
+}
+
+Json integrityJson(const Integrity& seen) {
+    return {{"highest", lengthJson(seen.highest)},
+            {"overlap", lengthJson(seen.overlap)},
+            {"joint_gap", lengthJson(seen.jointGap)},
+            {"passed_walls", seen.passedWalls ? Json(*seen.passedWalls) : Json(nullptr)}};
+}
+
+Integrity integrityFrom(const Json& json) {
+    Integrity seen{
+        lengthFrom(json.at("highest")), lengthFrom(json.at("overlap")), lengthFrom(json.at("joint_gap")), {}};
+    if (!json.at("passed_walls").is_null()) seen.passedWalls = json.at("passed_walls").get<std::size_t>();
+    return seen;
 }
 
 }  // namespace plumb::compare

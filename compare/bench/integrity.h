@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Does a scene that is measured still do what it should?
 #pragma once
+#include <nlohmann/json_fwd.hpp>
+
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,5 +41,11 @@ private:
     std::vector<std::size_t> dynamic_;
     Integrity seen_;
 };
+
+/// {"highest","overlap","joint_gap","passed_walls"}; null if there is no value. JSON has no infinite numbers: they are
+/// written as "infinite".
+nlohmann::ordered_json integrityJson(const Integrity& seen);
+
+Integrity integrityFrom(const nlohmann::ordered_json& json);
 
 }  // namespace plumb::compare

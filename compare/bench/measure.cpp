@@ -15,7 +15,7 @@
 #include <stdexcept>
 
 #include <compare/bench/apart.h>
-#include <compare/bench/integrity_json.h>
+#include <compare/bench/integrity.h>
 #include <compare/bench/look_file.h>
 
 namespace plumb::compare {

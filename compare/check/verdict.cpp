@@ -7,9 +7,8 @@
 #include <stdexcept>
 
 #include <compare/check/answer.h>
-#include <compare/check/judge.h>
-#include <compare/closed_form/worked_out.h>
-#include <compare/engine/engine_names.h>
+#include <compare/closed_form/oracle.h>
+#include <compare/engine/engine.h>
 
 namespace plumb::compare {
 namespace {

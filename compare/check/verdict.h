@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <ranges>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -91,5 +92,17 @@ struct RunOptions {
 /// Throws std::invalid_argument when the options name an engine that is not among the given ones or have steps below 1,
 /// and as validate does for the scene that they make.
 SceneResult runScene(const Scene& scene, const RunOptions& options, const std::vector<Engine>& engines);
+
+/// The outcomes of the scene's checks, in their order, as runScene describes them. The engines are those to run anew
+/// with smaller steps for the order of convergence.
+std::vector<Outcome> judge(const SceneResult& measured, const std::vector<Engine>& engines);
+
+/// The metrics of probes that expect a number which the scene's author worked out for the scene as it was written: they
+/// say nothing of a scene in which something was set. truth: the run of the closed form.
+std::vector<std::string> metricsOfItsNumbers(const Scene& scene, const Observation& truth);
+
+/// The order that errors at dt, dt/2, dt/4, ... show: the smallest log2 of the ratio of one to the next. Errors up to
+/// floor are rounding; empty when there is no ratio that starts above it.
+std::optional<double> observedOrder(std::span<const double> errors, double floor);
 
 }  // namespace plumb::compare

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include <compare/scene/bench.h>
-#include <compare/scene/nearest.h>
+#include <compare/scene/named.h>
 
 namespace plumb::compare {
 namespace {

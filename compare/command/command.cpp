@@ -11,11 +11,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include <compare/command/accuracy_pages.h>
 #include <compare/command/arguments.h>
 #include <compare/command/bench_command.h>
 #include <compare/command/lab_text.h>
 #include <compare/command/output_file.h>
+#include <compare/command/page_files.h>
 #include <compare/command/scene_choice.h>
 #include <compare/command/scene_list.h>
 #include <compare/command/verdict_json.h>

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <ostream>
 
-#include <compare/command/colours.h>
 #include <compare/command/verdict_words.h>
 
 namespace plumb::compare {

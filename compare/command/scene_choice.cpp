@@ -8,13 +8,12 @@
 #include <map>
 #include <stdexcept>
 
-#include <compare/engine/engine_names.h>
+#include <compare/engine/engine.h>
 #include <compare/lab/builtin.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
-#include <compare/scene/nearest.h>
+#include <compare/scene/named.h>
 #include <compare/scene/random/random_scene.h>
-#include <compare/scene/random/seed_range.h>
 
 namespace plumb::compare {
 namespace {

@@ -9,7 +9,6 @@
 #include <map>
 #include <ostream>
 
-#include <compare/command/colours.h>
 #include <compare/command/verdict_words.h>
 #include <compare/engine/engine_settings.h>
 #include <compare/metric/length_text.h>

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include <compare/command/colours.h>
-
 namespace plumb::compare {
 
 std::string painted(const std::string& text, const char* code, bool colour) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which words are used for verdicts in the terminal?
+// Which words and colours are used for verdicts in the terminal?
 #pragma once
 #include <cstddef>
 #include <span>
@@ -9,7 +9,12 @@
 
 namespace plumb::compare {
 
-/// The text in a colour of colours.h; unchanged if colour is false.
+// ECMA-48, "select graphic rendition".
+inline constexpr const char* red = "31";
+inline constexpr const char* green = "32";
+inline constexpr const char* grey = "90";  // "bright black" of most terminals, beyond the standard
+
+/// The text in one of these colours; unchanged if colour is false.
 std::string painted(const std::string& text, const char* code, bool colour);
 
 /// Four characters at the start of a line: PASS, FAIL, or ---- if nothing was judged.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <compare/engine/engine.h>
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <compare/engine/closed_form_engine.h>
+#include <compare/engine/engines.h>
 
 #include <limits>
 
 #include <compare/closed_form/oracle.h>
-#include <compare/closed_form/worked_out.h>
 
 namespace plumb::compare {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which mass does a joint's spring move? Some engines define a spring by the frequency of this mass.
 #pragma once
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 #include <plumb/dynamics/joint_def.h>
 
 namespace plumb::compare {

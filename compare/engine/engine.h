@@ -5,26 +5,15 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <compare/scene/scene.h>
+#include <compare/scene/state.h>
 
 namespace plumb::compare {
-
-struct BodyState {
-    Vec2 position{0, 0};         ///< of the body's origin [m]
-    double angle = 0;            ///< not reset after whole turns [rad]
-    Vec2 velocity{0, 0};         ///< of the centre of mass [m/s]
-    double angularVelocity = 0;  ///< [rad/s]
-    bool present = true;         ///< false before it appears; then the other members say where it will appear
-};
-
-/// Says for each joint, by its index in the scene, whether it has broken. A joint beyond the list's end has not broken.
-using Broken = std::vector<bool>;
 
 /// A part of a step.
 struct Phase {
@@ -116,10 +105,6 @@ struct Engine : EngineCard {
     std::function<std::vector<std::string>(const Scene&)> notes{};
 };
 
-struct Unsupported : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 /// All engines that can be in a build, in the order in which they are shown.
 const std::vector<Engine>& knownEngines();
 /// The engines of this build.
@@ -133,5 +118,9 @@ const std::string& rivalName();
 /// The head of an engine's column in a page's table: its product, and its version, except for the subject. If the
 /// engine is not known, its name.
 std::string columnName(const std::string& name, const std::string& version);
+
+/// Throws std::invalid_argument for an unknown engine; it names the field, the name, and the nearest known name. An
+/// engine is known even if this build does not have it.
+void validateEngineNames(const Scene& scene);
 
 }  // namespace plumb::compare

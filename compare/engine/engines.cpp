@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <compare/engine/box2d24/box2d24_engine.h>
-#include <compare/engine/box2d3/box2d3_engine.h>
-#include <compare/engine/chipmunk/chipmunk_engine.h>
-#include <compare/engine/closed_form_engine.h>
-#include <compare/engine/engine.h>
-#include <compare/engine/engine_settings.h>
-#include <compare/engine/plumb_engine.h>
-
 #include <algorithm>
 #include <iterator>
+
+#include <compare/engine/engine.h>
+#include <compare/engine/engine_settings.h>
+#include <compare/engine/engines.h>
+#include <compare/scene/fields.h>
+#include <compare/scene/named.h>
 
 namespace plumb::compare {
 
@@ -49,6 +47,20 @@ std::string columnName(const std::string& name, const std::string& version) {
     const Engine* engine = findKnown(name);
     if (!engine) return name;
     return engine->role == Role::Subject ? engine->product : engine->product + " " + version;
+}
+
+void validateEngineNames(const Scene& scene) {
+    const std::vector<std::string> known = namesOf(knownEngines());
+    for (const auto& [engine, fields] : scene.engines) requireKnown(engine, known, "engines." + engine, "an engine");
+    for (std::size_t i = 0; i < scene.checks.size(); ++i) {
+        const std::string field = at("checks", i) + "." + checkTags[scene.checks[i].index()] + ".engines";
+        const auto look = [&](const auto& check) {
+            if constexpr (requires { check.engines; })
+                for (std::size_t k = 0; k < check.engines.size(); ++k)
+                    requireKnown(check.engines[k], known, at(field, k), "an engine");
+        };
+        std::visit(look, scene.checks[i]);
+    }
 }
 
 }  // namespace plumb::compare

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Which points describe a shape for an engine that has no such shape?
 #pragma once
+#include <fmt/format.h>
+
 #include <string>
 #include <vector>
 
+#include <compare/engine/engine.h>
 #include <plumb/shapes/shape.h>
 
 namespace plumb::compare {
@@ -45,6 +48,18 @@ inline Polygon axisBox(const Capsule& capsule, double halfWidth) {
 }
 
 /// The polygon of each solid tile of a map, in the body's frame. Throws Unsupported for tiles of another kind.
-std::vector<Polygon> tilePolygons(const TileMap& map, const std::string& body);
+inline std::vector<Polygon> tilePolygons(const TileMap& map, const std::string& body) {
+    std::vector<Polygon> polygons;
+    for (int row = 0; row < map.rows(); ++row) {
+        for (int column = 0; column < map.columns(); ++column) {
+            const Tile tile = map.at({column, row});
+            if (isEmpty(tile)) continue;
+            if (!isSolid(tile))
+                throw Unsupported(fmt::format("body {}: tiles that are sensors or solid one way are not given", body));
+            polygons.push_back({map.cornersOf({column, row})});
+        }
+    }
+    return polygons;
+}
 
 }  // namespace plumb::compare

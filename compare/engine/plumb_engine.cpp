@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/engine/plumb_engine.h>
+#include <compare/engine/engines.h>
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 
 #include <compare/engine/arrivals.h>
 #include <compare/engine/engine_settings.h>
+#include <compare/engine/plumb_movers.h>
 #include <compare/engine/plumb_world.h>
-#include <compare/mover/plumb_movers.h>
 #include <plumb/record/state_hash.h>
 
 namespace plumb::compare {

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 #include <plumb/dynamics/world.h>
 
 namespace plumb::compare {

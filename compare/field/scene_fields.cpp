@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
+#include <compare/scene/shape_pair.h>
 #include <plumb/collide/distance.h>
 #include <plumb/math/transform.h>
 
 namespace plumb::compare {
 namespace {
-
-bool meets(const Filter& a, const Filter& b) {
-    if (a.group != 0 && a.group == b.group) return a.group > 0;
-    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
-}
 
 struct Corners {
     std::vector<Vec2> points;
@@ -69,7 +65,7 @@ std::vector<SceneFields::Body> SceneFields::placed(std::span<const BodyState> st
 bool SceneFields::actsOn(const Field& field, const Body& body) {
     if (!body.dynamic) return false;
     const bool all = field.def.filter == Filter{};
-    const auto met = [&](const ShapeDef& shape) { return meets(shape.filter, field.def.filter); };
+    const auto met = [&](const ShapeDef& shape) { return accepts(shape.filter, field.def.filter); };
     if (!all && std::ranges::none_of(body.def->shapes, met)) return false;
     return !field.def.region || distance(Circle{1e-9, body.center}, {}, *field.def.region, {}).separation <= 1e-9;
 }

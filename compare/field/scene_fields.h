@@ -7,7 +7,8 @@
 #include <span>
 #include <vector>
 
-#include <compare/engine/engine.h>
+#include <compare/scene/scene.h>
+#include <compare/scene/state.h>
 #include <plumb/shapes/mass.h>
 
 namespace plumb::compare {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does the momentum of a scene's bodies stay the same, so that its drift is an error?
+// What do laws keep the same in a scene, so that its drift is an error?
 #pragma once
 #include <string>
 #include <vector>
@@ -15,5 +15,9 @@ namespace plumb::compare {
 /// may touch one or is jointed to one; where a body cannot move freely or a joint holds it to the world; and where one
 /// appears or disappears.
 std::vector<std::string> conservedMomenta(const Scene& scene);
+
+/// True if nothing takes or gives energy: no damping, no motor, no field, no mover, no joint that stops hard or breaks,
+/// no body that appears later, and no contacts except between elastic surfaces without friction.
+bool keepsEnergy(const Scene& scene);
 
 }  // namespace plumb::compare

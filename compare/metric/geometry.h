@@ -7,9 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include <compare/engine/engine.h>
 #include <compare/metric/joint_state.h>
 #include <compare/metric/solid_shapes.h>
+#include <compare/scene/scene.h>
+#include <compare/scene/state.h>
 #include <plumb/broad/bvh.h>
 
 namespace plumb::compare {

@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
-#include <compare/engine/engine.h>
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
+#include <compare/scene/scene.h>
+#include <compare/scene/state.h>
 
 namespace plumb::compare {
 

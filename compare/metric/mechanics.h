@@ -5,9 +5,10 @@
 #include <span>
 #include <vector>
 
-#include <compare/engine/engine.h>
 #include <compare/field/scene_fields.h>
 #include <compare/metric/joint_state.h>
+#include <compare/scene/scene.h>
+#include <compare/scene/state.h>
 #include <plumb/shapes/mass.h>
 
 namespace plumb::compare {

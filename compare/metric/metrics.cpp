@@ -6,8 +6,7 @@
 
 #include <compare/metric/geometry.h>
 #include <compare/metric/mechanics.h>
-#include <compare/metric/missing.h>
-#include <compare/metric/probe_error.h>
+#include <compare/metric/observation.h>
 
 namespace plumb::compare {
 namespace {

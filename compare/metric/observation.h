@@ -2,6 +2,7 @@
 // What was seen of one engine's run of one scene?
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,10 @@
 #include <compare/engine/engine.h>
 
 namespace plumb::compare {
+
+inline constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();  ///< not known, and nobody has to know it
+inline constexpr double unbounded =
+    std::numeric_limits<double>::infinity();  ///< the error of an engine that has to know it and does not
 
 struct Observation {
     std::string engine;

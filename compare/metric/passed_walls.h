@@ -5,8 +5,9 @@
 #include <span>
 #include <vector>
 
-#include <compare/engine/engine.h>
 #include <compare/metric/solid_shapes.h>
+#include <compare/scene/scene.h>
+#include <compare/scene/state.h>
 #include <plumb/shapes/mass.h>
 
 namespace plumb::compare {

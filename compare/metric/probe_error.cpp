@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <compare/metric/probe_error.h>
+#include <compare/metric/metrics.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include <compare/engine/joint_geometry.h>
-#include <compare/metric/missing.h>
+#include <compare/metric/observation.h>
+#include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 namespace {

@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include <compare/engine/filters.h>
 #include <compare/scene/scene.h>
+#include <compare/scene/shape_pair.h>
 #include <plumb/math/transform.h>
 
 namespace plumb::compare {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 #include <plumb/math/trig.h>
 
 namespace plumb::compare {
@@ -12,20 +12,7 @@ namespace {
 /// With this slack, a cue at a tick's time applies to that tick, even if the times are rounded [s].
 constexpr double slack = 1e-9;
 
-MotionPath straightThrough(const PathMotion& motion) {
-    MotionPath path(motion.points.front());
-    for (std::size_t i = 1; i < motion.points.size(); ++i) path.lineTo(motion.points[i]);
-    if (motion.closed) path.close();
-    return path;
-}
-
 }  // namespace
-
-PathMover pathMoverOf(const PathMotion& motion) {
-    return PathMover({.path = motion.spline ? splineThrough(motion.points, motion.closed) : straightThrough(motion),
-                      .timing = {motion.speed, motion.easing, motion.acceleration},
-                      .repeat = motion.repeat});
-}
 
 Vec2 placeOn(const PathMover& path, double delay, int step, double dt) {
     return path.at(std::max(0.0, step * dt - delay)).position;

@@ -12,7 +12,6 @@
 
 namespace plumb::compare {
 
-PathMover pathMoverOf(const PathMotion& motion);
 /// The mover's place after a step. Steps are counted from 1.
 Vec2 placeOn(const PathMover& path, double delay, int step, double dt);
 /// The same for a body that swings about a place.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 namespace {

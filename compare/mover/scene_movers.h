@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include <compare/engine/engine.h>
 #include <compare/mover/parts.h>
+#include <compare/scene/state.h>
 
 namespace plumb::compare {
 

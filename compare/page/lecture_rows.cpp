@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/page/lecture_rows.h>
+#include <compare/page/lecture_table.h>
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/check/query_value.h>
+#include <compare/check/answer.h>
 #include <compare/scene/answer.h>
 
 namespace plumb::compare {

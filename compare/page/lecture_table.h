@@ -8,9 +8,21 @@
 
 #include <compare/check/verdict.h>
 #include <compare/page/accuracy_tables.h>
-#include <compare/page/lecture_rows.h>
+#include <compare/scene/scene.h>
 
 namespace plumb::compare {
+
+struct LectureRow {
+    std::string label;  ///< the case, and what is measured in it
+    Scene scene;        ///< a built-in scene with other numbers; its answer is the one query that is measured
+};
+
+/// The built-in scenes that the rows are made from.
+const std::vector<std::string>& lectureScenes();
+
+/// The period of a pendulum for seven amplitudes; the range of a throw for five angles, without drag and with it; the
+/// time to fall in Atwood's machine for three ratios of masses.
+std::vector<LectureRow> lectureRows();
 
 /// "4.907 s (+0.02 %)": a value, and how far it is off the formula's. truth: the formula's value; none: the cell is
 /// the formula's own. "does not happen" if the engine has no value, "has none" if it cannot build the scene.

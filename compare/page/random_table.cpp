@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/page/random_table.h>
+#include <compare/page/speed_tables.h>
 
 #include <fmt/format.h>
 

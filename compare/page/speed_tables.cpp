@@ -10,8 +10,6 @@
 #include <compare/bench/bench_table.h>
 #include <compare/page/cells.h>
 #include <compare/page/page_table.h>
-#include <compare/page/random_table.h>
-#include <compare/page/summary_table.h>
 
 namespace plumb::compare {
 namespace {

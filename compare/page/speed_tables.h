@@ -20,4 +20,12 @@ namespace plumb::compare {
 /// Throws std::invalid_argument if Plumb or its rival was not run.
 std::vector<Block> speedBlocks(std::span<const SceneBench> results);
 
+/// The rival's time divided by Plumb's: the means for scenes without joints and with joints, and the scenes with the
+/// smallest and the largest ratios. Empty if no scene was run in both engines.
+Block randomBlock(std::span<const SceneBench> results);
+
+/// One row for each kind of scene: times in Plumb and in its rival, and how many times as fast Plumb is. Empty if one
+/// of the scenes was not run in both.
+Block summaryBlock(std::span<const SceneBench> results);
+
 }  // namespace plumb::compare

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include <compare/engine/engine_settings.h>
+#include <compare/metric/conserved.h>
 #include <compare/metric/mechanics.h>
-#include <compare/parting/laws.h>
 #include <compare/parting/stretch.h>
 #include <compare/parting/touch_cause.h>
 

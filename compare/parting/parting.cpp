@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/metric/missing.h>
+#include <compare/metric/observation.h>
 #include <compare/parting/cause.h>
 #include <compare/parting/paths.h>
 #include <compare/parting/touching.h>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/metric/missing.h>
+#include <compare/metric/observation.h>
 
 namespace plumb::compare {
 namespace {

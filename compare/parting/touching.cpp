@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include <compare/engine/joint_geometry.h>
 #include <compare/metric/observation.h>
+#include <compare/scene/joint_geometry.h>
 #include <plumb/broad/bvh.h>
 #include <plumb/collide/distance.h>
 #include <plumb/collide/ray_cast.h>

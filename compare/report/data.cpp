@@ -7,13 +7,11 @@
 #include <stdexcept>
 #include <string_view>
 
-#include <compare/engine/joint_geometry.h>
 #include <compare/metric/conserved.h>
 #include <compare/report/curve.h>
-#include <compare/report/engines_data.h>
-#include <compare/report/lab_data.h>
 #include <compare/report/playback.h>
 #include <compare/scene/fields.h>
+#include <compare/scene/joint_geometry.h>
 #include <plumb/math/transform.h>
 #include <plumb/shapes/tile_pieces.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/report/engines_data.h>
+#include <compare/report/data.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/report/lab_data.h>
+#include <compare/report/data.h>
 
 #include <nlohmann/json.hpp>
 

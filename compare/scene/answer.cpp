@@ -6,8 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <compare/scene/metric_names.h>
 #include <compare/scene/named.h>
+#include <compare/scene/scene.h>
 
 namespace plumb::compare {
 namespace {

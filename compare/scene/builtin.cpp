@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <compare/scene/builtin/scenes.h>
-#include <compare/scene/builtin/titles.h>
 
 namespace plumb::compare {
 

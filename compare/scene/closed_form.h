@@ -5,20 +5,10 @@
 #include <variant>
 #include <vector>
 
+#include <compare/formula/flights.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb::compare {
-
-/// Constant acceleration from start on: x = x0 + v0 s + a s^2 / 2 with s = t - start; the angle in the same way.
-struct Flight {
-    double start = 0;                ///< [s]
-    Vec2 position{0, 0};             ///< at start, of the body's origin [m]
-    Vec2 velocity{0, 0};             ///< [m/s]
-    Vec2 acceleration{0, 0};         ///< [m/s^2]
-    double angle = 0;                ///< [rad]
-    double angularVelocity = 0;      ///< [rad/s]
-    double angularAcceleration = 0;  ///< [rad/s^2]
-};
 
 /// Flights joined at impacts, in the order of their starts. Each flight holds until the next one starts.
 struct PiecewiseMotion {

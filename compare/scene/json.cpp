@@ -12,7 +12,6 @@
 #include <compare/scene/json_plain.h>
 #include <compare/scene/json_value.h>
 #include <compare/scene/named.h>
-#include <compare/scene/nearest.h>
 #include <plumb/math/check.h>
 
 namespace plumb::compare {

@@ -23,6 +23,9 @@ struct PathMotion {
     PathRepeat repeat = PathRepeat::Once;
 };
 
+/// The kit's mover for it. Throws std::invalid_argument where there is none.
+PathMover pathMoverOf(const PathMotion& motion);
+
 /// What replaces a slider in an engine that has no such movers?
 enum class StandIn {
     Kinematic,  ///< an ordinary kinematic body: it goes through what it meets

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: MIT
-// What does the message say if a scene uses an unknown name?
+// Which known name was probably meant, and what does the message say of an unknown one?
 #pragma once
 #include <algorithm>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include <compare/scene/nearest.h>
 #include <plumb/math/check.h>
 
 namespace plumb::compare {
+
+/// The known name that is reached from name with the fewest insertions, deletions and replacements of letters. If
+/// several are equally near, the first; empty if no name is known.
+std::string nearest(std::string_view name, std::span<const std::string> known);
+
+/// "a, b, c", with "..." for all names after the twelfth.
+std::string listText(std::span<const std::string> known);
 
 inline std::string at(const std::string& list, std::size_t index) {
     return list + "[" + std::to_string(index) + "]";

@@ -24,4 +24,13 @@ int stepCount(const Scene& scene) {
     return static_cast<int>(std::lround(scene.duration / scene.dt));
 }
 
+std::vector<std::string> checkableMetrics(const Scene& scene) {
+    std::vector<std::string> names{
+        "divergence_max",  "divergence_time", "energy_drift", "momentum_drift", "angular_momentum_drift",
+        "penetration_max", "joint_error_max", "settle_time",  "ms_per_step"};
+    if (scene.closedForm) names.insert(names.end(), {"error_max", "error_end"});
+    for (const Probe& probe : scene.probes) names.push_back("probe." + probe.name);
+    return names;
+}
+
 }  // namespace plumb::compare

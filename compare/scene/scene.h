@@ -146,6 +146,11 @@ std::string titleOf(const Scene& scene);
 /// round(duration / dt).
 int stepCount(const Scene& scene);
 
+/// The metrics that its checks may name: error_max and error_end where there is a closed form, divergence_max,
+/// divergence_time, energy_drift, momentum_drift, angular_momentum_drift, penetration_max, joint_error_max,
+/// settle_time, ms_per_step, and probe.<name> for each probe.
+std::vector<std::string> checkableMetrics(const Scene& scene);
+
 /// Throws std::invalid_argument naming the field, the value and what was wanted: names that are missing, used twice or
 /// unknown, impossible numbers, metrics that do not exist.
 void validate(const Scene& scene);

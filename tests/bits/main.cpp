@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <compare/engine/plumb_movers.h>
 #include <compare/engine/plumb_world.h>
-#include <compare/mover/plumb_movers.h>
 #include <compare/scene/builtin.h>
 #include <plumb/math/detail/for_lanes.h>
 #include <plumb/math/random.h>

@@ -25,10 +25,10 @@ std::string rankOf(const Ranks& ranks, const std::string& module) {
 
 }  // namespace
 
-Ranks ranksIn(std::string_view readme, const std::set<std::string>& modules) {
-    static const std::regex head(R"(^\|\s*rank\s*\|\s*modules\s*\|\s*$)");
-    static const std::regex row(R"(^\|\s*(\d+)\s*\|(.*)$)");
-    static const std::regex name("`([a-z_0-9]+)`");
+Ranks ranksOf(std::string_view readme, const std::string& what) {
+    const std::regex head(R"(^\|\s*rank\s*\|\s*)" + what + R"(\s*\|.*$)");
+    static const std::regex row(R"(^\|\s*(\d+)\s*\|([^|]*)\|.*$)");
+    static const std::regex name("`([a-z_0-9.]+/?)`");
     Ranks ranks;
     bool inTable = false;
     std::istringstream lines{std::string(readme)};
@@ -40,17 +40,26 @@ Ranks ranksIn(std::string_view readme, const std::set<std::string>& modules) {
         const int rank = std::stoi(match[1]);
         const std::string text = match[2];
         for (std::sregex_iterator it(text.begin(), text.end(), name), end; it != end; ++it)
-            if (modules.contains((*it)[1])) ranks.try_emplace((*it)[1], rank);
+            ranks.try_emplace((*it)[1], rank);
     }
     return ranks;
 }
 
+Ranks ranksIn(std::string_view readme, const std::set<std::string>& modules) {
+    Ranks ranks = ranksOf(readme, "modules");
+    std::erase_if(ranks, [&](const auto& rank) { return !modules.contains(rank.first); });
+    return ranks;
+}
+
+std::string folderUnder(std::string_view root, std::string_view path) {
+    if (!path.starts_with(root) || !path.substr(root.size()).starts_with('/')) return {};
+    path.remove_prefix(root.size() + 1);
+    return std::string(path.substr(0, path.find('/')));
+}
+
 std::string moduleOf(std::string_view path) {
-    constexpr std::string_view kit = "plumb/";
-    if (!path.starts_with(kit)) return {};
-    path.remove_prefix(kit.size());
-    const std::size_t slash = path.find('/');
-    return slash == std::string_view::npos ? std::string() : std::string(path.substr(0, slash));
+    const std::string folder = folderUnder("plumb", path);
+    return folder.find('.') == std::string::npos ? folder : "";
 }
 
 std::vector<std::string> includesOf(std::string_view text) {
@@ -63,18 +72,19 @@ std::vector<std::string> includesOf(std::string_view text) {
     return found;
 }
 
-std::vector<std::string> upwardArrows(const Ranks& ranks, const std::vector<SourceFile>& kit) {
+std::vector<std::string> upwardArrows(const Ranks& ranks, const std::vector<SourceFile>& sources,
+                                      std::string_view root) {
     std::vector<std::string> faults;
     std::set<std::string> unranked;
-    for (const SourceFile& source : kit) {
+    for (const SourceFile& source : sources) {
         if (source.path == umbrella) continue;
-        const std::string from = moduleOf(source.path);
+        const std::string from = folderUnder(root, source.path);
         if (!ranks.contains(from) && unranked.insert(from).second) faults.push_back(rankOf(ranks, from));
         for (const std::string& include : includesOf(source.text)) {
-            const std::string to = moduleOf(include);
+            const std::string to = folderUnder(root, include);
             if (include.find("..") != std::string::npos)
                 faults.push_back(arrow(source.path, include, "a path that hides the module"));
-            else if (include == umbrella)
+            else if (include == umbrella && source.path.starts_with("plumb/"))
                 faults.push_back(arrow(source.path, include, "that is every rank at once"));
             else if (!to.empty() && to != from && ranks.contains(from) &&
                      (!ranks.contains(to) || ranks.at(to) >= ranks.at(from)))

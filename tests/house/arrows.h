@@ -13,11 +13,16 @@ namespace plumb::test {
 
 using Ranks = std::map<std::string, int>;  ///< of modules: {"math", 0}
 
-/// The ranks as the table headed "| rank | modules |" says: in each row, every word in backticks that is a module.
-/// A module that stands in several rows has the lowest of them.
+/// The ranks as the table headed "| rank | <what> |" says: in each row, every word in backticks of its second column.
+/// A word that stands in several rows has the rank of the first.
+Ranks ranksOf(std::string_view readme, const std::string& what);
+/// The same of the table of "modules", and only of words that are one.
 Ranks ranksIn(std::string_view readme, const std::set<std::string>& modules);
 
-/// The folder under plumb/: "shapes" of "plumb/shapes/mass.h"; empty of the umbrella header and of anything else.
+/// The folder under root: "shapes" of "plumb/shapes/mass.h" under "plumb"; of a file in root itself, its name; empty of
+/// anything else.
+std::string folderUnder(std::string_view root, std::string_view path);
+/// The folder under plumb/; empty of the umbrella header and of anything else.
 std::string moduleOf(std::string_view path);
 
 /// What is named between <> or "" in the include lines, in their order.
@@ -25,9 +30,10 @@ std::vector<std::string> includesOf(std::string_view text);
 
 // Each finds one sentence a fault, none where all is well.
 
-/// A kit module includes itself and lower ranks only, and is in the table. The umbrella header may include all, and
-/// nothing of the kit may include it.
-std::vector<std::string> upwardArrows(const Ranks& ranks, const std::vector<SourceFile>& kit);
+/// A folder under root includes itself and lower ranks only, and is in the table; so does a file in root itself, by its
+/// name. The kit's umbrella header may include all, and nothing of the kit may include it.
+std::vector<std::string> upwardArrows(const Ranks& ranks, const std::vector<SourceFile>& sources,
+                                      std::string_view root = "plumb");
 /// Nothing in these sources includes what is in the folder.
 std::vector<std::string> arrowsInto(std::string_view folder, const std::vector<SourceFile>& sources);
 /// In games/, a game includes the C++ standard library, the kit, the frame and its own folder; the frame does without

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <compare/engine/plumb_movers.h>
 #include <compare/engine/plumb_world.h>
-#include <compare/mover/plumb_movers.h>
 #include <compare/scene/builtin.h>
 #include <plumb/record/state_hash.h>
 

@@ -67,19 +67,7 @@ bool opensFunction(const std::string& line) {
 }  // namespace
 
 Ranks roomRanksIn(std::string_view readme) {
-    static const std::regex head(R"(^\|\s*rank\s*\|\s*rooms\s*\|.*$)"), row(R"(^\|\s*(\d+)\s*\|([^|]*)\|.*$)");
-    static const std::regex name("`([a-z_]+/?)`");
-    Ranks ranks;
-    bool inTable = false;
-    for (const std::string& line : linesOf(std::string(readme))) {
-        if (std::regex_match(line, head)) inTable = true;
-        if (!line.starts_with('|')) inTable = false;
-        std::smatch match;
-        if (!inTable || !std::regex_match(line, match, row)) continue;
-        const std::string text = match[2];
-        for (std::sregex_iterator it(text.begin(), text.end(), name), end; it != end; ++it)
-            ranks.try_emplace((*it)[1], std::stoi(match[1]));
-    }
+    Ranks ranks = ranksOf(readme, "rooms");
     for (const auto& [unit, rank] : Ranks(ranks))
         if (!unit.ends_with('/') && unit != "world") ranks.try_emplace("values", rank);
     return ranks;

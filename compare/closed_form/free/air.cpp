@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/free/air.h>
+#include <compare/closed_form/free/one_formula.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include <compare/closed_form/free/place_free.h>
-#include <compare/closed_form/motion_state.h>
+#include <compare/closed_form/free/free_body.h>
+#include <compare/closed_form/motion.h>
 
 namespace plumb::compare {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/engine/engine.h>
-#include <compare/engine/mixed.h>
+#include <compare/scene/shape_pair.h>
+#include <compare/scene/state.h>
 
 namespace plumb::compare {
 namespace {

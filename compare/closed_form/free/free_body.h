@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a free body move until the next event?
+// Which properties of a free body matter, and how does it move until the next event?
 #pragma once
 #include <optional>
 #include <string>
@@ -63,5 +63,21 @@ void setAcceleration(FreeBody& body);
 ///   j = -(1 + e) vn / (1/mA + 1/mB), across it f = -s / (1/mA + 1/mB + rA^2/IA + rB^2/IB), at most mu j
 /// Source: Newton's law of impact, Coulomb's of friction; Routh 1905. Tests: follows_test.cpp
 void collide(FreeBody& b, FreeBody* a, const Vec2& velocityA, const Vec2& normal, const PairLaw& law);
+
+/// A body at its start, with the obstacles that it may meet. Throws Unsupported if a joint or a lock holds it, if a
+/// field acts on it that is not uniform, or if there is no formula here for its shapes.
+FreeBody freeBodyOf(const Scene& scene, const FreeMotion& motion);
+
+/// The effect of the air on a body: dv/dt = -(linear v) / m - (quadratic |v| v) / m, v relative to the wind.
+struct Air {
+    double linear = 0;     ///< [kg/s]
+    double quadratic = 0;  ///< [kg/m]
+    Vec2 wind{0, 0};       ///< [m/s]
+};
+Air airAt(const Scene& scene, const BodyDef& def);
+
+/// True if the filter of a field lets it act on a body, everywhere. Throws Unsupported for a field that acts in a
+/// region.
+bool actsOn(const SceneField& field, const SceneBody& body);
 
 }  // namespace plumb::compare

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/closed_form/free/air.h>
 #include <compare/closed_form/free/first_descent.h>
+#include <compare/closed_form/free/free_body.h>
 #include <compare/closed_form/free/meetings.h>
-#include <compare/closed_form/free/place_free.h>
-#include <compare/closed_form/free/tips.h>
-#include <compare/engine/joint_geometry.h>
+#include <compare/closed_form/free/one_formula.h>
+#include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 namespace {

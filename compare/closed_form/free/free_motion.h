@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <compare/closed_form/worked_motion.h>
+#include <compare/closed_form/motion.h>
 #include <compare/scene/scene.h>
 
 namespace plumb::compare {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include <compare/engine/engine.h>
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
+#include <compare/scene/state.h>
 
 namespace plumb::compare {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/free/place_free.h>
+#include <compare/closed_form/free/free_body.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/free/tips.h>
+#include <compare/closed_form/free/one_formula.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <compare/closed_form/motion_state.h>
-#include <compare/closed_form/pendulum.h>
+#include <compare/closed_form/motion.h>
+#include <compare/formula/pendulum.h>
 
 namespace plumb::compare {
 namespace {

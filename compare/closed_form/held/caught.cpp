@@ -2,12 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/closed_form/ballistic_pendulum.h>
 #include <compare/closed_form/free/first_descent.h>
 #include <compare/closed_form/free/free_body.h>
 #include <compare/closed_form/held/held_motion.h>
 #include <compare/closed_form/held/holding.h>
-#include <compare/closed_form/held/hung.h>
+#include <compare/formula/pendulum.h>
 
 namespace plumb::compare {
 namespace {

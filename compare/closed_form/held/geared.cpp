@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/closed_form/atwood.h>
 #include <compare/closed_form/free/free_body.h>
 #include <compare/closed_form/held/held_motion.h>
 #include <compare/closed_form/held/holding.h>
+#include <compare/formula/atwood.h>
 
 namespace plumb::compare {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How does a body move that is held by a joint or a field, by the scene's own numbers?
 #pragma once
-#include <compare/closed_form/worked_motion.h>
+#include <compare/closed_form/motion.h>
 #include <compare/scene/scene.h>
 
 namespace plumb::compare {
@@ -33,7 +33,7 @@ WorkedMotion heldMotion(const HoistedMotion& motion, const Scene& scene);
 /// far part i moves for each radian or metre of the motor, I_i its inertia or mass. Source: virtual work.
 WorkedMotion heldMotion(const GearedMotion& motion, const Scene& scene);
 
-/// A PendulumMotion from the impact on; the impact keeps momentum: see ballistic_pendulum.h.
+/// A PendulumMotion from the impact on; the impact keeps momentum: see formula/pendulum.h.
 WorkedMotion heldMotion(const CaughtMotion& motion, const Scene& scene);
 
 /// A flight that stays at one place. It holds if forces in the scene's joints can balance gravity on each body that

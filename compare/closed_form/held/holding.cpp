@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <compare/closed_form/held/holding.h>
 
-#include <compare/closed_form/free/place_free.h>
+#include <compare/closed_form/free/free_body.h>
 
 namespace plumb::compare {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What holds a body, and what pulls at it?
+// What holds a body, what pulls at it, and how does it hang?
 #pragma once
 #include <string>
 #include <vector>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 #include <compare/scene/scene.h>
 #include <plumb/shapes/mass.h>
 
@@ -36,5 +36,18 @@ std::vector<Holding> holdingsOf(const Scene& scene, const HeldBody& body);
 
 /// g, straight down. Throws Unsupported if gravity is not straight down or not > 0.
 double downwardGravity(const HeldBody& body);
+
+struct Hung {
+    HeldBody body{};
+    Vec2 pivot{0, 0};       ///< the point about which its origin swings [m]
+    double length = 0;      ///< from there to its origin [m]
+    double equivalent = 0;  ///< L = I_pivot / (m l) [m]
+    double gravity = 0;     ///< downward [m/s^2]
+    double angle = 0;       ///< from straight down, at the start [rad]
+    bool turns = false;     ///< it turns with the angle: true on a hinge, false on rods
+};
+
+/// It hangs by a hinge, or by a rod and the rods parallel to it. Throws Unsupported if another joint holds it too.
+Hung hungOf(const Scene& scene, const std::string& body, const std::string& joint);
 
 }  // namespace plumb::compare

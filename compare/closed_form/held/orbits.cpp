@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <compare/closed_form/free/place_free.h>
+#include <compare/closed_form/free/free_body.h>
 #include <compare/closed_form/held/held_motion.h>
 #include <compare/closed_form/held/holding.h>
 

@@ -5,7 +5,6 @@
 #include <compare/closed_form/free/free_body.h>
 #include <compare/closed_form/held/held_motion.h>
 #include <compare/closed_form/held/holding.h>
-#include <compare/closed_form/held/hung.h>
 
 namespace plumb::compare {
 namespace {

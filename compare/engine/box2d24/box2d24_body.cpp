@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstdint>
 
-#include <compare/engine/mixed.h>
 #include <compare/engine/outline.h>
 #include <compare/engine/single.h>
+#include <compare/scene/shape_pair.h>
 
 namespace plumb::compare {
 namespace {
@@ -139,7 +139,7 @@ void addShape(b2Body& body, b2FixtureDef fixture, const TileMap& map, const std:
 
 /// The material that is needed when a contact begins; null if Box2D 2.4 can mix the coefficients by itself.
 const Material* keep(const Material& material, Surfaces24& surfaces) {
-    if (mixesAsBox2d(material) && material.surfaceSpeed == 0) return nullptr;
+    if (mixesAsUsual(material) && material.surfaceSpeed == 0) return nullptr;
     return &surfaces.emplace_back(material);
 }
 

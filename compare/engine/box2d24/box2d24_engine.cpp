@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include <compare/engine/box2d24/box2d24_engine.h>
+#include <compare/engine/engines.h>
 
 #include <box2d/box2d.h>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include <compare/engine/arrivals.h>
-#include <compare/engine/box2d24/box2d24_bench.h>
 #include <compare/engine/box2d24/box2d24_body.h>
 #include <compare/engine/box2d24/box2d24_joint.h>
 #include <compare/engine/engine_settings.h>
-#include <compare/engine/joint_geometry.h>
 #include <compare/engine/outside_notes.h>
 #include <compare/engine/single.h>
 #include <compare/field/scene_fields.h>
 #include <compare/mover/scene_movers.h>
+#include <compare/scene/bench.h>
+#include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 namespace {
@@ -314,6 +315,27 @@ EngineCard box2d24Card(bool bullets) {
     card.look = {"#d55e00", "#f58a3c", {}, 1.6};
     card.oneSidedChains = true;
     return bullets ? asBullets(card, {2, 4}) : card;
+}
+
+/// Why a scene that measures speed is not run; empty if it is run.
+std::string leftOutOfBox2d24(const BenchScene& scene) {
+    if (scene.group == "random") return "random scenes are measured in Plumb and Box2D 3";
+    static const std::map<std::string, std::string> reasons{
+        // Measured: the first step takes 0.2 s, the twelfth 8 s.
+        {"spinner",
+         "a step takes seconds: Box2D 2.4 enlarges boxes by four times a step's motion, and the paddle's tip makes "
+         "1.7 m a step"},
+        // Measured: 0.6 s a step for junkyard, and as much for washer.
+        {"junkyard", "a run takes minutes"},
+        {"washer", "a run takes minutes"},
+        // Measured: 0.2 s a step with 16,000 bodies, 2.7 s with 64,000.
+        {"pile_32000", "a step takes seconds"},
+        {"pile_64000", "a step takes seconds"},
+        {"pyramids_32000", "a step takes seconds"},
+        {"pyramids_64000", "a step takes seconds"},
+    };
+    const auto reason = reasons.find(scene.name);
+    return reason == reasons.end() ? "" : reason->second;
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <vector>
 
-#include <compare/engine/mixed.h>
 #include <compare/engine/outline.h>
 #include <compare/engine/single.h>
+#include <compare/scene/shape_pair.h>
 
 namespace plumb::compare {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::uint64_t mixCount = 5;  // number of rules in Mix
 
 /// A material's two mixing rules as one number, which Box2D 3 stores; 0 for Box2D's own rules.
 std::uint64_t mixesId(const Material& material) {
-    if (mixesAsBox2d(material)) return 0;
+    if (mixesAsUsual(material)) return 0;
     return 1 + static_cast<std::uint64_t>(material.frictionMix) +
            mixCount * static_cast<std::uint64_t>(material.restitutionMix);
 }

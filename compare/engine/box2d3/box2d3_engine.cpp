@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/engine/box2d3/box2d3_engine.h>
+#include <compare/engine/engines.h>
 
 #include <box2d/box2d.h>
 #include <box2d/constants.h>
@@ -16,22 +16,22 @@
 #include <compare/engine/box2d3/box2d3_joint.h>
 #include <compare/engine/box2d3/box2d3_mover.h>
 #include <compare/engine/engine_settings.h>
-#include <compare/engine/joint_geometry.h>
-#include <compare/engine/mixed.h>
 #include <compare/engine/outside_notes.h>
 #include <compare/engine/single.h>
 #include <compare/field/scene_fields.h>
 #include <compare/mover/scene_movers.h>
+#include <compare/scene/joint_geometry.h>
+#include <compare/scene/shape_pair.h>
 
 namespace plumb::compare {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-bool mixesAsBox2d(const Scene& scene) {
+bool mixesAsUsual(const Scene& scene) {
     return std::ranges::all_of(scene.bodies, [](const SceneBody& body) {
         return std::ranges::all_of(body.def.shapes,
-                                   [](const ShapeDef& shape) { return compare::mixesAsBox2d(shape.material); });
+                                   [](const ShapeDef& shape) { return compare::mixesAsUsual(shape.material); });
     });
 }
 
@@ -77,7 +77,7 @@ b2WorldDef worldDef(const Scene& scene) {
         ++(fixed ? def.capacity.staticBodyCount : def.capacity.dynamicBodyCount);
         (fixed ? def.capacity.staticShapeCount : def.capacity.dynamicShapeCount) += shapes;
     }
-    if (!mixesAsBox2d(scene)) {
+    if (!mixesAsUsual(scene)) {
         def.frictionCallback = mixedFriction3;
         def.restitutionCallback = mixedRestitution3;
     }

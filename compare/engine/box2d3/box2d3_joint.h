@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 

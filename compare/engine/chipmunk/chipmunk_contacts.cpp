@@ -6,8 +6,7 @@
 #include <optional>
 
 #include <compare/engine/chipmunk/chipmunk_body.h>
-#include <compare/engine/filters.h>
-#include <compare/engine/mixed.h>
+#include <compare/scene/shape_pair.h>
 
 namespace plumb::compare {
 namespace {
@@ -75,7 +74,7 @@ bool needsChipmunkMixing(const Scene& scene) {
     for (const SceneBody& body : scene.bodies)
         for (const ShapeDef& shape : body.def.shapes) {
             const Material& material = shape.material;
-            if (!mixesAsBox2d(material) || material.surfaceSpeed != 0) return true;
+            if (!mixesAsUsual(material) || material.surfaceSpeed != 0) return true;
             if (restitution.value_or(material.restitution) != material.restitution) return true;
             restitution = material.restitution;
         }

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include <compare/engine/chipmunk/chipmunk_engine.h>
+#include <compare/engine/engines.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include <compare/engine/arrivals.h>
-#include <compare/engine/chipmunk/chipmunk_bench.h>
 #include <compare/engine/chipmunk/chipmunk_body.h>
 #include <compare/engine/chipmunk/chipmunk_contacts.h>
 #include <compare/engine/chipmunk/chipmunk_joint.h>
@@ -20,9 +21,13 @@
 #include <compare/engine/outside_notes.h>
 #include <compare/field/scene_fields.h>
 #include <compare/mover/scene_movers.h>
+#include <compare/scene/bench.h>
 
 namespace plumb::compare {
 namespace {
+
+// Measured: a run of each takes more than a minute; spinner takes 0.2 s a step from the start.
+constexpr std::array<std::string_view, 6> slow{"joint_grid", "spinner", "junkyard", "compounds", "washer", "rain"};
 
 constexpr const char* noMoversOfChipmunk =
     "The mover is in Chipmunk a dynamic body that cannot turn, told its velocity before each step.";
@@ -312,6 +317,14 @@ std::vector<Setting> chipmunkSettings(const Scene& scene) {
         {"SIMD", "none"},
         {"precision", "double"},
     };
+}
+
+/// Why a scene that measures speed is not run; empty if it is run.
+std::string leftOutOfChipmunk(const BenchScene& scene) {
+    if (scene.group == "random") return "random scenes are measured in Plumb and Box2D 3";
+    if (std::ranges::find(slow, scene.name) != slow.end()) return "a run takes more than a minute";
+    if (scene.name.ends_with("_32000") || scene.name.ends_with("_64000")) return "a step takes seconds";
+    return "";
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <compare/engine/chipmunk/chipmunk_body.h>
-#include <compare/engine/joint_geometry.h>
+#include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 

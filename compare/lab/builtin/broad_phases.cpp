@@ -8,7 +8,7 @@
 #include <string>
 
 #include <compare/lab/builtin/labs.h>
-#include <compare/lab/power_law.h>
+#include <compare/lab/graph.h>
 #include <plumb/math/random.h>
 
 namespace plumb::compare {

@@ -6,10 +6,9 @@
 #include <cmath>
 
 #include <compare/closed_form/oracle.h>
-#include <compare/closed_form/worked_out.h>
 #include <compare/lab/builtin/labs.h>
 #include <compare/lab/builtin/parts.h>
-#include <compare/lab/power_law.h>
+#include <compare/lab/graph.h>
 #include <compare/metric/mechanics.h>
 #include <compare/scene/builtin/scenes.h>
 

@@ -10,9 +10,9 @@
 #include <set>
 #include <utility>
 
-#include <compare/closed_form/bounce.h>
 #include <compare/closed_form/oracle.h>
 #include <compare/engine/plumb_world.h>
+#include <compare/formula/flights.h>
 #include <compare/lab/builtin/labs.h>
 #include <compare/lab/builtin/parts.h>
 #include <compare/metric/length_text.h>

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include <compare/lab/builtin/labs.h>
-#include <compare/lab/power_law.h>
+#include <compare/lab/graph.h>
 
 namespace plumb::compare {
 namespace {

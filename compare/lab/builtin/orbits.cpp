@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <compare/closed_form/kepler.h>
+#include <compare/formula/kepler.h>
 
 namespace plumb::compare {
 namespace {

@@ -25,7 +25,7 @@ struct MotionProblem {
 MotionProblem oscillator();
 
 /// x'' = -x / |x|^3 about the origin. It starts at the nearest point (1 - e, 0); semi-major axis 1 m, period 2 pi s.
-/// The closed form is keplerState (compare/closed_form/kepler.h). e: eccentricity, from 0 to below 1 [-].
+/// The closed form is keplerState (compare/formula/kepler.h). e: eccentricity, from 0 to below 1 [-].
 /// Test: "the true paths obey their accelerations, start where they should, and keep their energy"
 MotionProblem keplerOrbit(double eccentricity);
 

@@ -15,9 +15,6 @@ Scene pyramids(int n);  ///< pyramids of 55 boxes in a square, as many as n boxe
 // joint_grid.cpp
 Scene jointGrid();  ///< 100 x 100 discs that hang on each other: 10,000 bodies, 19,794 hinges
 
-// smash.cpp
-Scene smash();  ///< a heavy box hits 9,600 small sleeping ones: 9,601 bodies
-
 // tumbler.cpp
 Scene tumblerOf2025();  ///< a turning box with 2,025 small ones inside: 2,027 bodies
 
@@ -43,14 +40,11 @@ Scene dolls(int n);  ///< n of them fall 2.5 m, side by side
 Scene rope60();      ///< 60 boxes hinged end to end fall in a heap
 Scene bridge20();    ///< the scene bridge_under_load, with sleeping off
 
-// pile.cpp
+// crowds.cpp
 Scene pile(int n);  ///< n boxes and discs in a heap of 40 layers
-
-// pit.cpp
-Scene pit(int n);  ///< n bodies fall into a pit 18 m wide: half discs that bounce, half boxes that do not
-
-// gas.cpp
-Scene gas(int n);  ///< n elastic discs that fill 40 % of a world that wraps, without gravity
+Scene pit(int n);   ///< n bodies fall into a pit 18 m wide: half discs that bounce, half boxes that do not
+Scene gas(int n);   ///< n elastic discs that fill 40 % of a world that wraps, without gravity
+Scene smash();      ///< a heavy box hits 9,600 small sleeping ones: 9,601 bodies
 
 // movers.cpp: with 1,000 movers, the milliseconds of a step are the microseconds of one mover.
 Scene gridMovers();

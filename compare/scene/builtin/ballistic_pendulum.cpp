@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/ballistic_pendulum.h>
-#include <compare/closed_form/pendulum.h>
+#include <compare/formula/pendulum.h>
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>
 

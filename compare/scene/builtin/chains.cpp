@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <compare/closed_form/catenary.h>
+#include <compare/formula/catenary.h>
 #include <compare/scene/builtin/links.h>
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include <compare/closed_form/pendulum.h>
+#include <compare/formula/pendulum.h>
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How are the numbers of a random scene drawn?
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
 
+#include <plumb/math/logarithm.h>
 #include <plumb/math/random.h>
+#include <plumb/math/trig.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb::compare {
@@ -27,9 +30,15 @@ public:
         return chance(0.5) ? size : -size;
     }
     /// A number whose logarithm is uniformly distributed; 0 < low <= high.
-    double logUniform(double low, double high);
+    double logUniform(double low, double high) {
+        const double exponent = uniform(0, 1) * logarithm(high / low);
+        return std::clamp(low * exponential(exponent), low, high);
+    }
     /// A unit vector.
-    Vec2 direction();
+    Vec2 direction() {
+        const SinCos turned = sinCos(uniform(0, fullTurn));
+        return {turned.cos, turned.sin};
+    }
     template <class T, std::size_t N>
     const T& of(const T (&list)[N]) {
         return list[static_cast<std::size_t>(integer(0, static_cast<int>(N) - 1))];

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <stdexcept>
+#include <string_view>
 
 #include <compare/scene/random/bodies.h>
 #include <compare/scene/random/machines.h>
@@ -68,6 +71,19 @@ std::string questionOf(const Scene& scene, const Style& style, int count, const 
     return fmt::format("What does a step of {} bodies {} take, {}{}?", count, sizes, place, joints);
 }
 
+constexpr std::string_view prefix = "random:", dots = "..";
+constexpr std::uint64_t mostSeeds = 10000;
+
+std::uint64_t seedFrom(std::string_view text, const std::string& name) {
+    std::uint64_t seed = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, seed);
+    if (error != std::errc{} || rest != end)
+        throw std::invalid_argument(fmt::format(
+            "{}: \"{}\" is not a whole number of 0 or more, wanted random:SEED or random:A..B", name, text));
+    return seed;
+}
+
 }  // namespace
 
 Scene randomScene(std::uint64_t seed) {
@@ -88,6 +104,21 @@ Scene randomScene(std::uint64_t seed) {
         place = fill(scene, draw, {drawItems(draw, style, count, isJointed), style});
     scene.question = questionOf(scene, style, count, place);
     return scene;
+}
+
+std::optional<SeedRange> seedRangeOf(const std::string& name) {
+    if (!name.starts_with(prefix)) return {};
+    const std::string_view text = std::string_view(name).substr(prefix.size());
+    const std::size_t middle = text.find(dots);
+    const std::uint64_t first = seedFrom(text.substr(0, middle), name);
+    if (middle == std::string_view::npos) return SeedRange{first, first};
+    const std::uint64_t last = seedFrom(text.substr(middle + dots.size()), name);
+    if (last < first)
+        throw std::invalid_argument(
+            fmt::format("{}: {} is less than {}, wanted random:A..B with the smaller first", name, last, first));
+    if (last - first >= mostSeeds)
+        throw std::invalid_argument(fmt::format("{}: wanted at most {} scenes", name, mostSeeds));
+    return SeedRange{first, last};
 }
 
 }  // namespace plumb::compare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/scene/schema/page.h>
+#include <compare/scene/schema/schema.h>
 
 #include <algorithm>
 #include <cctype>

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <compare/scene/json_plain.h>
-#include <compare/scene/schema/page.h>
 #include <compare/scene/schema/parts.h>
 #include <compare/scene/schema/value.h>
 

@@ -3,6 +3,8 @@
 #pragma once
 #include <string>
 
+#include <compare/scene/json_text.h>
+
 namespace plumb::compare {
 
 /// A JSON Schema, draft 2020-12. It is made from the lists of fields by which scenes are read: types, defaults, bounds,
@@ -12,5 +14,8 @@ std::string sceneSchema();
 
 /// The same as a page in Markdown: a table for each kind of object.
 std::string sceneSchemaPage();
+
+/// A page in Markdown with a table for each definition of the schema: field, kind, unit, default, bounds, what it is.
+std::string schemaPage(const Json& schema);
 
 }  // namespace plumb::compare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/scene/validate/arrivals.h>
+#include <compare/scene/validate/parts.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/scene/validate/joint.h>
+#include <compare/scene/validate/parts.h>
 
 #include <algorithm>
 #include <span>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <compare/scene/validate/mover.h>
+#include <compare/scene/validate/parts.h>
 
 #include <algorithm>
 #include <string>
 
-#include <compare/mover/parts.h>
 #include <compare/scene/fields.h>
 #include <compare/scene/named.h>
 #include <compare/scene/require_fields.h>

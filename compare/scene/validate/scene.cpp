@@ -6,14 +6,11 @@
 
 #include <compare/scene/answer.h>
 #include <compare/scene/fields.h>
-#include <compare/scene/metric_names.h>
 #include <compare/scene/name_index.h>
 #include <compare/scene/named.h>
 #include <compare/scene/require_fields.h>
 #include <compare/scene/scene.h>
-#include <compare/scene/validate/arrivals.h>
-#include <compare/scene/validate/joint.h>
-#include <compare/scene/validate/mover.h>
+#include <compare/scene/validate/parts.h>
 #include <plumb/math/check.h>
 
 namespace plumb::compare {
@@ -200,15 +197,6 @@ void validateCheck(const Check& check, const Scene& scene, const std::string& fi
 }
 
 }  // namespace
-
-std::vector<std::string> checkableMetrics(const Scene& scene) {
-    std::vector<std::string> names{
-        "divergence_max",  "divergence_time", "energy_drift", "momentum_drift", "angular_momentum_drift",
-        "penetration_max", "joint_error_max", "settle_time",  "ms_per_step"};
-    if (scene.closedForm) names.insert(names.end(), {"error_max", "error_end"});
-    for (const Probe& probe : scene.probes) names.push_back("probe." + probe.name);
-    return names;
-}
 
 void validate(const Scene& scene) {
     validateSceneName(scene.name);

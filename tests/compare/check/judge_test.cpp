@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/check/judge.h>
+#include <compare/check/verdict.h>
 
 #include "catch.h"
 

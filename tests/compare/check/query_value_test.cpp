@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/check/query_value.h>
+#include <compare/check/answer.h>
 
 #include <cmath>
 

@@ -6,7 +6,6 @@
 
 #include <compare/check/verdict.h>
 #include <compare/closed_form/oracle.h>
-#include <compare/closed_form/worked_out.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/set_field.h>
 

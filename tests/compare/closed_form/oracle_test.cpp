@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include <compare/closed_form/worked_out.h>
 #include <compare/scene/builtin.h>
 
 #include "catch.h"

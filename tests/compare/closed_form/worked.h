@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <compare/closed_form/worked_out.h>
+#include <compare/closed_form/oracle.h>
 
 namespace plumb::compare {
 

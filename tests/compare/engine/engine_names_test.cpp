@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <compare/engine/engine_names.h>
+#include <compare/engine/engine.h>
 
 #include <algorithm>
 #include <cctype>
 #include <set>
-
-#include <compare/engine/engine.h>
 
 #include "catch.h"
 #include "compare/scripted.h"

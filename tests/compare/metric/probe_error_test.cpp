@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/metric/probe_error.h>
+#include <compare/metric/metrics.h>
 
 #include <cmath>
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <compare/report/lab_data.h>
+#include <compare/report/data.h>
 
 #include <nlohmann/json.hpp>
-
-#include <compare/report/data.h>
 
 #include "catch.h"
 #include "compare/lab/example_lab.h"

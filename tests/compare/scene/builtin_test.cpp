@@ -6,11 +6,10 @@
 #include <set>
 
 #include <compare/closed_form/oracle.h>
-#include <compare/closed_form/worked_out.h>
 #include <compare/metric/geometry.h>
 #include <compare/metric/joint_state.h>
 #include <compare/metric/metrics.h>
-#include <compare/scene/metric_names.h>
+#include <compare/scene/scene.h>
 
 #include "catch.h"
 

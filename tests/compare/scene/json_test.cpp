@@ -10,22 +10,22 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr double noBound = std::numeric_limits<double>::infinity();
 
 /// One of each kind, between the bodies a and b; no field has its default value.
 std::vector<SceneJoint> fullJoints() {
-    const Limit limit{-unbounded, 0.5};
+    const Limit limit{-noBound, 0.5};
     const Spring spring{20, 3};
     const Breaking breaking{100, 50};
     return {
         {"h", "a", "b", RevoluteJointDef{{}, {}, {1, 2}, limit, spring, 0.25, -3, 4, true, breaking}},
         {"s", "a", "b", PrismaticJointDef{{}, {}, {1, 2}, {0, 2}, limit, spring, 0.25, -3, 4, true, breaking}},
-        {"r", "b", "a", DistanceJointDef{{}, {}, {1, 2}, {3, 4}, 5, spring, 1, 6, -7, unbounded, true, breaking}},
+        {"r", "b", "a", DistanceJointDef{{}, {}, {1, 2}, {3, 4}, 5, spring, 1, 6, -7, noBound, true, breaking}},
         {"w", "a", "b", WeldJointDef{{}, {}, {1, 2}, spring, Spring{7, 8}, true, breaking}},
         {"v", "a", "b", WheelJointDef{{}, {}, {1, 2}, {1, 1}, limit, spring, 0.25, -3, 4, true, breaking}},
         {"p", "a", "b", PulleyJointDef{{}, {}, {1, 9}, {2, 9}, {1, 2}, {3, 4}, 2, false, breaking}},
         {.name = "g", .def = GearJointDef{{}, {}, -2.5, breaking}, .jointA = "h", .jointB = "s"},
-        {"m", "a", "b", MotorJointDef{{}, {}, Vec2(1, 2), 0.5, 6, {3, 4}, 5, 7, unbounded, false, breaking}},
+        {"m", "a", "b", MotorJointDef{{}, {}, Vec2(1, 2), 0.5, 6, {3, 4}, 5, 7, noBound, false, breaking}},
         {"t", "b", "", TargetJointDef{{}, {1, 2}, {3, 4}, spring, 60, breaking}},
         {"f", "a", "b", FilterJointDef{}},
     };
@@ -190,7 +190,7 @@ TEST_CASE("each kind of joint survives writing and reading, with its spring, lim
     REQUIRE(joints.size() == std::variant_size_v<JointDef>);
     for (std::size_t i = 0; i < joints.size(); ++i) CHECK(joints[i].def.index() == i);
     const auto& hinge = std::get<RevoluteJointDef>(joints[0].def);
-    CHECK(hinge.limit->lower == -unbounded);
+    CHECK(hinge.limit->lower == -noBound);
     CHECK(hinge.limit->upper == 0.5);
     CHECK(hinge.spring->stiffness == 20);
     CHECK(hinge.spring->damping == 3);
@@ -198,7 +198,7 @@ TEST_CASE("each kind of joint survives writing and reading, with its spring, lim
     CHECK(hinge.breaking.force == 100);
     CHECK(hinge.breaking.torque == 50);
     CHECK(std::get<PrismaticJointDef>(joints[1].def).axis == Vec2(0, 2));
-    CHECK(std::get<DistanceJointDef>(joints[2].def).maxMotorForce == unbounded);
+    CHECK(std::get<DistanceJointDef>(joints[2].def).maxMotorForce == noBound);
     CHECK(std::get<DistanceJointDef>(joints[2].def).maxLength == 6);
     CHECK(std::get<WeldJointDef>(joints[3].def).bending->damping == 8);
     CHECK(std::get<WheelJointDef>(joints[4].def).restShift == 0.25);
@@ -206,7 +206,7 @@ TEST_CASE("each kind of joint survives writing and reading, with its spring, lim
     CHECK(std::get<GearJointDef>(joints[6].def).ratio == -2.5);
     CHECK(joints[6].jointB == "s");
     CHECK(std::get<MotorJointDef>(joints[7].def).offset == Vec2(1, 2));
-    CHECK(std::get<MotorJointDef>(joints[7].def).maxTorque == unbounded);
+    CHECK(std::get<MotorJointDef>(joints[7].def).maxTorque == noBound);
     CHECK(std::get<TargetJointDef>(joints[8].def).target == Vec2(3, 4));
     CHECK(joints[8].bodyB.empty());
 }

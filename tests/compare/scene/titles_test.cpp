@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/scene/builtin/titles.h>
+#include <compare/scene/builtin/scenes.h>
 
 #include <set>
 
