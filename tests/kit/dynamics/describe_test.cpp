@@ -3,6 +3,8 @@
 #include <map>
 #include <sstream>
 
+#include <plumb/math/check.h>
+
 #include "catch.h"
 #include "house/arrows.h"
 #include "house/declarations.h"
@@ -12,11 +14,6 @@ namespace plumb::test {
 
 namespace {
 
-struct MemberText {
-    std::string name, unit, meaning;
-};
-using Descriptions = std::map<std::string, std::vector<MemberText>>;
-
 /// What is said of each definition, and of those that are members of it.
 struct Collect {
     Descriptions& all;
@@ -24,7 +21,7 @@ struct Collect {
 
     template <class T>
     void operator()(const Member& member, const T& value) const {
-        all[type].push_back({member.name, member.unit, member.meaning});
+        all[type].push_back(member);
         nested(value);
     }
     template <class T>
@@ -42,17 +39,6 @@ struct Collect {
     }
 };
 
-Descriptions allDescriptions() {
-    Descriptions all;
-    const Collect collect{all, ""};
-    collect.nested(WorldDef{});
-    collect.nested(BodyDef{});
-    collect.nested(FieldDef{});
-    collect.nested(TileMapDef{});
-    collect.nested(JointDef{});
-    return all;
-}
-
 /// But for those of movers, whose definitions are not described.
 std::string allHeaders() {
     std::string text;
@@ -68,7 +54,7 @@ std::vector<std::string> notDescribed(const Declarations& declared, const Descri
         if (name.ends_with("Def") && !described.contains(name)) faults.push_back(name + " is not described");
     for (const auto& [name, members] : described) {
         Names names;
-        for (const MemberText& member : members) names.push_back(member.name);
+        for (const Member& member : members) names.push_back(member.name);
         if (!declared.structs.contains(name) || declared.structs.at(name) != names)
             faults.push_back(name + " is described with other members than it has, or in another order");
     }
@@ -98,16 +84,45 @@ std::string commentOf(const std::string& header, const std::string& type, const 
 std::vector<std::string> otherUnits(const std::string& headers, const Descriptions& described) {
     std::vector<std::string> faults;
     for (const auto& [type, members] : described)
-        for (const MemberText& member : members)
-            if (!member.unit.empty() && member.unit != "-" &&
-                commentOf(headers, type, member.name).find("[" + member.unit + "]") == std::string::npos)
-                faults.push_back(type + "." + member.name + " is not said to be in [" + member.unit + "]");
+        for (const Member& member : members) {
+            const std::string unit = member.unit, said = "[" + unit + "]";
+            if (!unit.empty() && unit != "-" && commentOf(headers, type, member.name).find(said) == std::string::npos)
+                faults.push_back(type + "." + member.name + " is not said to be in " + said);
+        }
     return faults;
+}
+
+/// Of what is allowed, in words; "" if that is anything.
+std::string boundsOf(const Allowed& allowed) {
+    std::string text = allowed.anything                             ? ""
+                       : allowed.sign == Allowed::Sign::Positive    ? "> 0"
+                       : allowed.sign == Allowed::Sign::NotNegative ? ">= 0"
+                       : allowed.isRange()     ? toText(allowed.low) + " to " + toText(allowed.high)
+                       : allowed.oneOf.empty() ? "any"
+                                               : "one of";
+    for (const int choice : allowed.oneOf) text += " " + std::to_string(choice);
+    if (allowed.infinite) text += ", inf";
+    if (allowed.minusInfinite) text += ", -inf";
+    if (allowed.beyond != nullptr) text += ", up to " + toText(allowed.most);
+    if (allowed.zero != nullptr) text += ", not 0";
+    if (allowed.anchor != AnchorOf::None) text += ", anchor of " + std::to_string(static_cast<int>(allowed.anchor));
+    return allowed.once ? text + ", once" : text;
 }
 
 using Faults = std::vector<std::string>;
 
 }  // namespace
+
+Descriptions allDescriptions() {
+    Descriptions all;
+    const Collect collect{all, ""};
+    collect.nested(WorldDef{});
+    collect.nested(BodyDef{});
+    collect.nested(FieldDef{});
+    collect.nested(TileMapDef{});
+    collect.nested(JointDef{});
+    return all;
+}
 
 TEST_CASE("each definition of the kit is described, with all of its members in their order", "[dynamics][describe]") {
     const Descriptions all = allDescriptions();
@@ -116,11 +131,20 @@ TEST_CASE("each definition of the kit is described, with all of its members in t
     addDeclarations(declared, allHeaders());
     CHECK(notDescribed(declared, all) == Faults{});
     for (const auto& [type, members] : all)
-        for (const MemberText& member : members) CHECK_FALSE(member.meaning.empty());
+        for (const Member& member : members) CHECK(*member.meaning != 0);
 }
 
 TEST_CASE("each member is described in the unit that its header says", "[dynamics][describe]") {
     CHECK(otherUnits(allHeaders(), allDescriptions()) == Faults{});
+}
+
+TEST_CASE("each number of a definition is allowed what the kit has always allowed it", "[dynamics][describe]") {
+    std::map<std::string, std::string> bounds;
+    for (const auto& [type, members] : allDescriptions())
+        for (const Member& member : members)
+            if (const std::string text = boundsOf(member.allowed); !text.empty())
+                bounds[text] += " " + type + "." + member.name;
+    CHECK(bounds == std::map<std::string, std::string>{});
 }
 
 TEST_CASE("a member, a definition or a unit that is described otherwise is caught", "[dynamics][describe]") {
@@ -129,15 +153,14 @@ TEST_CASE("a member, a definition or a unit that is described otherwise is caugh
         "                        ///< all of it [kg]\n    /// above [s]\n    double time = 3;\n};\n";
     Declarations declared;
     addDeclarations(declared, header);
-    const MemberText radius{"radius", "m", ""}, weight{"weight", "kg", ""}, time{"time", "s", ""};
+    const Member radius{"radius", "m"}, weight{"weight", "kg"}, time{"time", "s"};
     const Descriptions right{{"BallDef", {radius, weight, time}}};
     CHECK(notDescribed(declared, right) == Faults{});
     CHECK(otherUnits(header, right) == Faults{});
     CHECK(notDescribed(declared, {}).size() == 1);
     CHECK(notDescribed(declared, {{"BallDef", {radius, weight}}}).size() == 1);
     CHECK(notDescribed(declared, {{"BallDef", {weight, radius, time}}}).size() == 1);
-    CHECK(otherUnits(header, {{"BallDef", {{"radius", "kg", ""}, {"weight", "m", ""}, {"time", "m", ""}}}}).size() ==
-          3);
+    CHECK(otherUnits(header, {{"BallDef", {{"radius", "kg"}, {"weight", "m"}, {"time", "m"}}}}).size() == 3);
 }
 
 }  // namespace plumb::test

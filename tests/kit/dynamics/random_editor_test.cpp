@@ -5,7 +5,8 @@
 
 namespace {
 
-using plumb::test::RandomEditor;
+using namespace plumb;
+using namespace plumb::test;
 
 void addTally(RandomEditor::Tally& sum, const RandomEditor::Tally& part) {
     using Tally = RandomEditor::Tally;
@@ -21,11 +22,11 @@ TEST_CASE("a world that is edited and asked in 100,000 random ways tells the tru
           "[dynamics][editing][law]") {
     RandomEditor::Tally sum;
     // Every third one is wild: fewer than 20 worlds may have too few bodies that leave the range of numbers.
-    const std::uint64_t seeds = static_cast<std::uint64_t>(std::max(plumb::test::cases(500), 20));
+    const std::uint64_t seeds = static_cast<std::uint64_t>(std::max(cases(500), 20));
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         INFO("seed " << seed);
         RandomEditor editor(seed, {.wild = seed % 3 == 0, .ledger = seed % 5 == 0});
-        editor.run(plumb::test::allActions(), 2000);
+        editor.run(allActions(), 2000);
         editor.check();
         addTally(sum, editor.tally);
     }
@@ -48,17 +49,16 @@ TEST_CASE("a world that is edited and asked in 100,000 random ways tells the tru
 TEST_CASE("a world of 30 m x 24 m that wraps tells the truth about itself after 10,000 random calls",
           "[dynamics][editing][wrap][tiles]") {
     RandomEditor::Tally sum;
-    const std::uint64_t seeds = static_cast<std::uint64_t>(plumb::test::cases(100));
+    const std::uint64_t seeds = static_cast<std::uint64_t>(cases(100));
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         INFO("seed " << seed);
-        plumb::Wrap wrap;
+        Wrap wrap;
         if (seed % 3 != 0) wrap.width = 30;
         if (seed % 3 != 1) wrap.height = 24;
         RandomEditor editor(seed, {.ledger = seed % 5 == 0, .wrap = wrap});
-        editor.run(plumb::test::wrappedActions(), 1000);
+        editor.run(wrappedActions(), 1000);
         editor.check();
-        for (const plumb::BodyMoved& move : editor.world.moves())
-            CHECK(wrap.place(move.pose.position) == move.pose.position);
+        for (const BodyMoved& move : editor.world.moves()) CHECK(wrap.place(move.pose.position) == move.pose.position);
         addTally(sum, editor.tally);
     }
     const auto share = static_cast<long long>(seeds);
@@ -75,8 +75,8 @@ TEST_CASE("a world that is edited in 3,000 random ways has the same bits for 1, 
         std::vector<std::uint64_t> states, heard;
         for (const int lanes : {1, 4, 8, 16}) {
             RandomEditor editor(seed, {.lanes = lanes, .wild = seed % 3 == 0});
-            editor.run(plumb::test::allActions(), plumb::test::allCases(3000));
-            states.push_back(plumb::stateHash(editor.world));
+            editor.run(allActions(), allCases(3000));
+            states.push_back(stateHash(editor.world));
             heard.push_back(editor.heard);
         }
         for (const std::uint64_t hash : states) CHECK(hash == states[0]);
@@ -90,8 +90,8 @@ TEST_CASE("a world that wraps and is edited in 1,000 random ways has the same bi
         std::vector<std::uint64_t> states;
         for (const int lanes : {1, 4, 8, 16}) {
             RandomEditor editor(seed, {.lanes = lanes, .wrap = {.width = 30.0, .height = 24.0}});
-            editor.run(plumb::test::wrappedActions(), 1000);
-            states.push_back(plumb::stateHash(editor.world));
+            editor.run(wrappedActions(), 1000);
+            states.push_back(stateHash(editor.world));
         }
         for (const std::uint64_t hash : states) CHECK(hash == states[0]);
     }
@@ -105,9 +105,9 @@ TEST_CASE("a world that is asked 300 questions, or keeps account, goes on as one
         for (const bool asks : {true, false}) {
             for (const bool ledger : {true, false}) {
                 RandomEditor editor(seed, {.ledger = ledger, .asks = asks});
-                editor.run(plumb::test::allActions(), plumb::test::allCases(2000));
-                if (asks) CHECK(editor.tally.asked > plumb::test::allCases(300));
-                states.push_back(plumb::stateHash(editor.world));
+                editor.run(allActions(), allCases(2000));
+                if (asks) CHECK(editor.tally.asked > allCases(300));
+                states.push_back(stateHash(editor.world));
             }
         }
         for (const std::uint64_t hash : states) CHECK(hash == states[0]);
