@@ -12,23 +12,34 @@
 #include "catch.h"
 #include "kit/dynamics/island_machines.h"
 
-using namespace plumb;
-using namespace plumb::test;
+using plumb::BlockPlan;
+using plumb::BodyField;
+using plumb::IslandLayout;
+using plumb::IslandLayouts;
+using plumb::Random;
+using plumb::RowAxis;
+using plumb::RowField;
+using plumb::RowState;
+using plumb::test::DenseRows;
+using plumb::test::IslandNumbers;
+using plumb::test::MachineParts;
+using plumb::test::RandomMachine;
+using plumb::test::randomMachine;
 
 namespace {
 
 /// A row that does not hold.
 struct Curve {
-    double target = 0, low = 0, high = 0, lowerStop = -unlimited, upperStop = unlimited;
+    double target = 0, low = 0, high = 0, lowerStop = -plumb::unlimited, upperStop = plumb::unlimited;
     bool bounded = false;
 };
 
 /// A part of its curve that the row has.
 RowState validState(const Curve& row, RowState state) {
-    if (row.high == unlimited) return RowState::AtTarget;
+    if (row.high == plumb::unlimited) return RowState::AtTarget;
     if (row.bounded) return state > RowState::AtHigh ? RowState::AtTarget : state;
-    if (state == RowState::AtLowerStop && row.lowerStop == -unlimited) return RowState::AtHigh;
-    if (state == RowState::AtUpperStop && row.upperStop == unlimited) return RowState::AtLow;
+    if (state == RowState::AtLowerStop && row.lowerStop == -plumb::unlimited) return RowState::AtHigh;
+    if (state == RowState::AtUpperStop && row.upperStop == plumb::unlimited) return RowState::AtLow;
     return state == RowState::AtTarget && row.low == row.high ? RowState::AtLow : state;
 }
 
@@ -38,7 +49,7 @@ void drawCurve(Random& random, IslandNumbers& lanes, std::size_t i) {
     Curve row;
     row.bounded = lanes.layout().rows[i].bounded;
     row.high = chance() ? random.uniform(0, 3) : 0;
-    if (random.integer(0, 7) == 0) row.high = unlimited;
+    if (random.integer(0, 7) == 0) row.high = plumb::unlimited;
     row.low = -row.high;
     if (!row.bounded) {
         if (chance()) row.lowerStop = random.uniform(-2, 1);
@@ -147,7 +158,7 @@ bool isOnCurve(IslandNumbers& lanes, std::size_t i, double speed) {
     const double impulse = field(RowField::Impulse), push = field(RowField::Push), slope = field(RowField::Slope);
     const double low = field(RowField::Low), high = field(RowField::High), target = field(RowField::Target);
     const double lower = field(RowField::LowerStop), upper = field(RowField::UpperStop);
-    const double give = relativeCompliance * field(RowField::InverseMass) * std::fabs(impulse);
+    const double give = plumb::relativeCompliance * field(RowField::InverseMass) * std::fabs(impulse);
     const double s = give + 1e-6 * (1 + std::fabs(speed));
     const double t = 1e-6 * (1 + std::fabs(impulse) + std::fabs(push) + slope * std::fabs(speed));
     const double aside = push - slope * speed, driven = impulse - aside;
@@ -169,7 +180,7 @@ std::vector<double> wantedSpeeds(IslandNumbers& lanes) {
 std::vector<std::size_t> widths() {
     std::vector<std::size_t> some{1};
     for (const int width : {2, 4, 8})
-        if (machineLanes() >= 2 * width) some.push_back(static_cast<std::size_t>(width));
+        if (plumb::machineLanes() >= 2 * width) some.push_back(static_cast<std::size_t>(width));
     return some;
 }
 
@@ -197,7 +208,7 @@ TEST_CASE("joints of random trees and loops get the impulses of a dense solution
             IslandNumbers lanes(layout, 1);
             drawNumbers(random, lanes, kind.allTurn);
             const std::vector<double> wanted = wantedSpeeds(lanes);
-            CHECK_FALSE(islandKernel(1).solve(lanes.view));
+            CHECK_FALSE(plumb::islandKernel(1).solve(lanes.view));
             worst = std::max(worst, differenceFromDense(lanes, wanted));
         }
         CHECK(worst < kind.error);
@@ -216,7 +227,7 @@ TEST_CASE("rows with motors, springs and limits come to rest on their curves", "
         IslandNumbers lanes(layout, 1);
         drawNumbers(random, lanes);
         bool changes = true;
-        for (int turn = 0; turn < 10 && changes; ++turn) changes = islandKernel(1).solve(lanes.view);
+        for (int turn = 0; turn < 10 && changes; ++turn) changes = plumb::islandKernel(1).solve(lanes.view);
         if (changes) continue;
         ++settled;
         const DenseRows dense(lanes);
@@ -243,9 +254,9 @@ TEST_CASE("joint islands that are solved side by side get the bits that each get
         for (const std::size_t width : widths()) {
             IslandNumbers& lanes = *wide.emplace_back(std::make_unique<IslandNumbers>(layout, width));
             for (std::size_t lane = 0; lane < width; ++lane) lanes.take(*singles[lane], lane);
-            islandKernel(static_cast<int>(width)).solve(lanes.view);
+            plumb::islandKernel(static_cast<int>(width)).solve(lanes.view);
         }
-        for (const auto& single : singles) islandKernel(1).solve(single->view);
+        for (const auto& single : singles) plumb::islandKernel(1).solve(single->view);
         for (std::size_t i = 0; i < wide.size(); ++i)
             for (std::size_t lane = 0; lane < widths()[i]; ++lane) CHECK(wide[i]->hasBitsOf(*singles[lane], lane));
     }
@@ -256,7 +267,7 @@ TEST_CASE("a tree of 10,000 nodes takes at most three block updates a node", "[d
     const RandomMachine machine(random, 5000, {.loops = 0, .held = 0, .gears = 0});
     const std::vector<BlockPlan::Edge> edges = edgesOf(machine);
     const auto joints = static_cast<std::uint32_t>(machine.joints.size());
-    CHECK(planBlocks(machine.moved, joints, edges, 3 * (machine.moved + joints)) != nullptr);
+    CHECK(plumb::planBlocks(machine.moved, joints, edges, 3 * (machine.moved + joints)) != nullptr);
 }
 
 TEST_CASE("a net that fills in more than it may is refused", "[dynamics]") {
@@ -264,7 +275,7 @@ TEST_CASE("a net that fills in more than it may is refused", "[dynamics]") {
     const RandomMachine machine(random, 200, {.loops = 2000, .held = 0, .gears = 0});
     const std::vector<BlockPlan::Edge> edges = edgesOf(machine);
     const auto joints = static_cast<std::uint32_t>(machine.joints.size());
-    CHECK(planBlocks(machine.moved, joints, edges, 10000) == nullptr);
+    CHECK(plumb::planBlocks(machine.moved, joints, edges, 10000) == nullptr);
     IslandLayouts layouts;
     CHECK(machine.layout(layouts)->isSwept);
 }
