@@ -8,11 +8,7 @@
 #include "kit/ballistics/shots.h"
 
 using namespace plumb::test;
-using plumb::aimByApex;
-using plumb::ApexAim;
-using plumb::Random;
-using plumb::Shot;
-using plumb::Vec2;
+using namespace plumb;
 
 // Worked numbers of the firing solution, "exact limit": the shot of 20 m/s at 45 degrees rises 10.193679918 m, comes
 // down at 40.774719674 m.
@@ -31,7 +27,7 @@ TEST_CASE("a million shots over a given apex hit, and rise just so high", "[ball
         ApexAim problem{.target = {0, 0}, .apex = magnitude(random, 0.01, 1000), .gravity = randomGravity(random)};
         const Vec2 up = -problem.gravity.normalized();
         const double high = problem.apex * (random.integer(0, 1) == 0 ? random.uniform(-1, 1) : random.uniform(-10, 1));
-        problem.target = high * up + random.uniform(-1, 1) * magnitude(random, 0.01, 10'000) * plumb::perp(up);
+        problem.target = high * up + random.uniform(-1, 1) * magnitude(random, 0.01, 10'000) * perp(up);
         const std::optional<Shot> shot = aimByApex(problem);
         if (!shot) {
             // The way to (x, y) and back to y is rounded: right at the apex that may be above it.

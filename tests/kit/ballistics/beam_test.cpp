@@ -8,11 +8,7 @@
 #include "kit/ballistics/shots.h"
 
 using namespace plumb::test;
-using plumb::aimBeam;
-using plumb::BeamAim;
-using plumb::Random;
-using plumb::Shot;
-using plumb::Vec2;
+using namespace plumb;
 
 // Worked numbers of the firing solution, "no gravity, d = (30, 10), w = (-4, 3)", v = 20 m/s.
 TEST_CASE("a beam of 20 m/s meets a target from (30 m, 10 m) at (-4, 3) m/s after 1.4105352667 s",

@@ -8,11 +8,7 @@
 #include "kit/ballistics/shots.h"
 
 using namespace plumb::test;
-using plumb::aimAtAngle;
-using plumb::AngleAim;
-using plumb::Random;
-using plumb::Shot;
-using plumb::Vec2;
+using namespace plumb;
 
 // Worked numbers of the firing solution: the two angles at which 20 m/s hits (30, 5) m, the lecture, slide 14; here the
 // speed is asked for.

@@ -12,11 +12,7 @@
 namespace {
 
 using namespace plumb::test;
-using plumb::aim;
-using plumb::Aim;
-using plumb::Random;
-using plumb::Shot;
-using plumb::Vec2;
+using namespace plumb;
 
 double degrees(const Vec2& v) {
     return std::atan2(v.y(), v.x()) * 180 / pi;
@@ -222,7 +218,7 @@ TEST_CASE("the slowest shot's own speed has a shot, a million times", "[ballisti
         const bool down = random.integer(0, 1) == 0;
         const Vec2 target = towards(random.uniform(-pi, pi), magnitude(random, 0.01, 1e4));
         const Vec2 gravity = down ? Vec2(0, -9.81) : randomGravity(random);
-        const Shot slowest = *plumb::aimSlowest({target, gravity});
+        const Shot slowest = *aimSlowest({target, gravity});
         const std::vector<Shot> shots = aim({target, slowest.velocity.norm(), gravity});
         none += shots.empty();
         two += shots.size() == 2;

@@ -6,11 +6,7 @@
 #include "kit/ballistics/shots.h"
 
 using namespace plumb::test;
-using plumb::aimInTime;
-using plumb::Random;
-using plumb::Shot;
-using plumb::TimeAim;
-using plumb::Vec2;
+using namespace plumb;
 
 // Worked numbers of the firing solution, "t = 2 to d".
 TEST_CASE("a shot of 2 s to (30 m, 5 m) leaves with (15, 12.31) m/s", "[ballistics][facts]") {

@@ -8,11 +8,7 @@
 #include "kit/ballistics/shots.h"
 
 using namespace plumb::test;
-using plumb::aimSlowest;
-using plumb::Random;
-using plumb::Shot;
-using plumb::SlowestAim;
-using plumb::Vec2;
+using namespace plumb;
 
 // Worked numbers of the firing solution, "min speed to d".
 TEST_CASE("18.638924382 m/s at 49.731161104 degrees is the least that hits (30 m, 5 m)", "[ballistics][facts]") {

@@ -12,13 +12,7 @@
 namespace {
 
 using namespace plumb::test;
-using plumb::aimThroughLinearDrag;
-using plumb::aimThroughLinearDragInTime;
-using plumb::LinearDragAim;
-using plumb::LinearDragTimeAim;
-using plumb::Random;
-using plumb::Shot;
-using plumb::Vec2;
+using namespace plumb;
 
 LinearDragAim randomLinearDragAim(Random& random) {
     LinearDragAim problem;
@@ -39,7 +33,7 @@ std::string textOfLinearDragAim(const LinearDragAim& p) {
                     p.drag.gravity);
 }
 
-LinearAir airOf(const plumb::LinearDrag& drag) {
+LinearAir airOf(const LinearDrag& drag) {
     return {drag.rate, drag.wind, drag.gravity};
 }
 
@@ -117,7 +111,7 @@ TEST_CASE("a million shots of fixed time through linear drag are at their target
 }
 
 TEST_CASE("as drag goes to 0 the shots go to those without it, and where drag is 0 they are those", "[ballistics]") {
-    const std::vector<Shot> plain = plumb::aim({.target = {30, 5}, .speed = 20});
+    const std::vector<Shot> plain = aim({.target = {30, 5}, .speed = 20});
     for (const double rate : {1e-3, 1e-6, 1e-9, 1e-12, 1e-100, 0.0}) {
         const std::vector<Shot> shots = aimThroughLinearDrag({.target = {30, 5}, .speed = 20, .drag = {.rate = rate}});
         REQUIRE(shots.size() == 2);
@@ -132,7 +126,7 @@ TEST_CASE("as drag goes to 0 the shots go to those without it, and where drag is
 }
 
 TEST_CASE("where nothing but drag acts a shot comes v / k far, and wind carries a shot of no speed", "[ballistics]") {
-    const plumb::LinearDrag still{.rate = 0.5, .gravity = {0, 0}};
+    const LinearDrag still{.rate = 0.5, .gravity = {0, 0}};
     const std::vector<Shot> shots = aimThroughLinearDrag({.target = {6, 8}, .speed = 10, .drag = still});
     REQUIRE(shots.size() == 1);
     // 20 (1 - e^(-t / 2)) = 10
@@ -140,7 +134,7 @@ TEST_CASE("where nothing but drag acts a shot comes v / k far, and wind carries 
     CHECK((shots[0].velocity - Vec2(6, 8)).norm() < 1e-14);
     CHECK(aimThroughLinearDrag({.target = {12, 16.001}, .speed = 10, .drag = still}).empty());
 
-    const plumb::LinearDrag blown{.rate = 0.5, .wind = {3, 0}, .gravity = {0, 0}};
+    const LinearDrag blown{.rate = 0.5, .wind = {3, 0}, .gravity = {0, 0}};
     CHECK(aimThroughLinearDrag({.target = {100, 0}, .speed = 0, .drag = blown}).size() == 1);
     CHECK(aimThroughLinearDrag({.target = {-100, 0}, .speed = 0, .drag = blown}).empty());
     CHECK(aimThroughLinearDrag({.target = {0, 0}, .speed = 3, .drag = blown}).front().time == 0);

@@ -12,13 +12,7 @@
 namespace {
 
 using namespace plumb::test;
-using plumb::LinearDrag;
-using plumb::linearDragApex;
-using plumb::linearDragLanding;
-using plumb::PathPoint;
-using plumb::PointMotion;
-using plumb::Random;
-using plumb::Vec2;
+using namespace plumb;
 
 LinearDrag randomDrag(Random& random) {
     return {.rate = magnitude(random, 1e-3, 10),
@@ -27,7 +21,7 @@ LinearDrag randomDrag(Random& random) {
 }
 
 PointMotion linearDragFlight(const Vec2& velocity, double time, const LinearDrag& drag) {
-    return plumb::moveWithDrag({{0, 0}, velocity}, {drag.rate, drag.wind, drag.gravity}, time);
+    return moveWithDrag({{0, 0}, velocity}, {drag.rate, drag.wind, drag.gravity}, time);
 }
 
 /// W0: Halley's method on w e^w = x, for x in (-1/e, 0), to rounding (Corless et al., "On the Lambert W function",
@@ -138,7 +132,7 @@ TEST_CASE("apex and landing through linear drag are where 100,000 flights turn a
         // T = (q + W0(-q e^-q)) / k, without wind along gravity, Worked numbers of the firing solution.
         const double rise = static_cast<double>(seenUpright(start, drag.gravity).y);
         LinearDrag level = drag;
-        level.wind = plumb::perp(drag.gravity) * 0.3;
+        level.wind = perp(drag.gravity) * 0.3;
         const std::optional<PathPoint> back = linearDragLanding(start, 0, level);
         const double q = 1 + drag.rate * rise / drag.gravity.norm();
         if (rise > 0 && q > 1.1)  // towards q = 1 W0 cancels q

@@ -13,11 +13,7 @@
 namespace {
 
 using namespace plumb::test;
-using plumb::aimAtMoving;
-using plumb::MovingAim;
-using plumb::Random;
-using plumb::Shot;
-using plumb::Vec2;
+using namespace plumb;
 
 std::string textOfMovingAim(const MovingAim& problem) {
     return describe("target", problem.target, "at", problem.targetVelocity, "shooter at", problem.shooterVelocity,
@@ -126,7 +122,7 @@ TEST_CASE("at a target that stands still it is aim(), and without gravity the fi
         // Away from the limit of the range, where times are roots of small differences.
         if (std::fabs(beyondReach(problem.speed, problem.target, problem.gravity)) > 1e-3) {
             const std::vector<Shot> shots = aimAtMoving(problem);
-            const std::vector<Shot> others = plumb::aim({problem.target, problem.speed, problem.gravity});
+            const std::vector<Shot> others = aim({problem.target, problem.speed, problem.gravity});
             differ += shots.size() != others.size();
             for (std::size_t k = 0; k < std::min(shots.size(), others.size()); ++k)
                 still.hold(std::fabs(shots[k].time / others[k].time - 1), where);
@@ -134,15 +130,14 @@ TEST_CASE("at a target that stands still it is aim(), and without gravity the fi
         problem.targetVelocity = velocity;
         // By the closed form, or with the gravity that is lost in rounding within any time to a target of these.
         problem.gravity = random.integer(0, 1) * magnitude(random, 1e-60, 1e-25) * problem.gravity;
-        const double aside = std::fabs(plumb::cross(problem.target.normalized(), velocity));
+        const double aside = std::fabs(cross(problem.target.normalized(), velocity));
         if (std::fabs(aside / problem.speed - 1) < 1e-3) continue;
         // As fast as the shot, to the last place; not straight away, where no time is long enough.
         const bool asFast = random.integer(0, 3) == 0;
         if (asFast) problem.targetVelocity *= problem.speed / velocity.norm();
         if (asFast && problem.targetVelocity.normalized().dot(problem.target.normalized()) > -1e-3) continue;
         const std::vector<Shot> shots = aimAtMoving(problem);
-        const std::optional<Shot> other =
-            plumb::aimBeam({problem.target, problem.targetVelocity, {0, 0}, problem.speed});
+        const std::optional<Shot> other = aimBeam({problem.target, problem.targetVelocity, {0, 0}, problem.speed});
         // What no beam meets, a lob may, after 1e25 s and more.
         if (other || problem.gravity.isZero(0)) differ += shots.empty() == other.has_value();
         if (other && !shots.empty()) beam.hold(std::fabs(shots[0].time / other->time - 1), where);

@@ -14,12 +14,7 @@
 namespace {
 
 using namespace plumb::test;
-using plumb::aimOver;
-using plumb::aimSlowestOver;
-using plumb::Random;
-using plumb::Shot;
-using plumb::Vec2;
-using plumb::WallAim;
+using namespace plumb;
 
 /// The height of a shot above a wall and its margin, by angle; infinite where the wall is not between muzzle and
 /// target.
@@ -90,7 +85,7 @@ TEST_CASE("a million shots over a wall hit and clear it, and no other angle does
             low.hold(static_cast<double>(-leastSpare(shot, problem)) / path, where);
             miss.hold(missByAngle(shot, problem.target, problem.gravity) / path, where);
         }
-        const std::vector<Shot> all = plumb::aim({problem.target, problem.speed, problem.gravity});
+        const std::vector<Shot> all = aim({problem.target, problem.speed, problem.gravity});
         for (const Shot& shot : all) {
             bool given = false;
             for (const Shot& other : shots) given = given || other.velocity == shot.velocity;
@@ -124,8 +119,8 @@ TEST_CASE("a million slowest shots over a wall hit and clear it, and slower ones
         low.hold(static_cast<double>(-leastSpare(*shot, problem)) / path, where);
         miss.hold(missByAngle(*shot, problem.target, problem.gravity) / path, where);
         time.hold(missAtTime(*shot, problem.target, problem.gravity) / path, where);
-        raised += shot->velocity.norm() > plumb::aimSlowest({problem.target, problem.gravity})->velocity.norm() * 1.001;
-        for (const Shot& other : plumb::aim({problem.target, shot->velocity.norm() * (1 - 1e-6), problem.gravity}))
+        raised += shot->velocity.norm() > aimSlowest({problem.target, problem.gravity})->velocity.norm() * 1.001;
+        for (const Shot& other : aim({problem.target, shot->velocity.norm() * (1 - 1e-6), problem.gravity}))
             slower.hold(static_cast<double>(leastSpare(other, problem)) / path, where);
     }
     for (const Worst* worst : {&low, &miss, &time, &slower}) worst->print();

@@ -15,11 +15,7 @@
 namespace {
 
 using namespace plumb::test;
-using plumb::aimThroughQuadraticDrag;
-using plumb::QuadraticDragAim;
-using plumb::Random;
-using plumb::Shot;
-using plumb::Vec2;
+using namespace plumb;
 
 QuadraticDragAim randomQuadraticDragAim(Random& random) {
     QuadraticDragAim problem;
@@ -91,7 +87,7 @@ TEST_CASE("one over the distance at which a path crosses a line is convex in the
         const double steeper = magnitude(random, 1e-4, 1e4);
         double inverse[3];
         for (int k = 0; k < 3; ++k)
-            inverse[k] = 1 / plumb::detail::crossingOf(line, steeper * (0.95 + 0.05 * k), strength).value().across;
+            inverse[k] = 1 / detail::crossingOf(line, steeper * (0.95 + 0.05 * k), strength).value().across;
         bend.hold((2 * inverse[1] - inverse[0] - inverse[2]) / inverse[1],
                   [&] { return describe("line", line, "steeper", steeper, "strength", strength); });
     }
@@ -124,7 +120,7 @@ TEST_CASE("straight up and down through quadratic drag the times are those of th
 }
 
 TEST_CASE("as drag goes to 0 the shots go to those without it, as gravity does, to a straight one", "[ballistics]") {
-    const std::vector<Shot> plain = plumb::aim({.target = {30, 5}, .speed = 20});
+    const std::vector<Shot> plain = aim({.target = {30, 5}, .speed = 20});
     for (const double coefficient : {1e-4, 1e-7, 1e-10, 1e-13, 1e-50, 1e-300, 0.0}) {
         const std::vector<Shot> shots =
             aimThroughQuadraticDrag({.target = {30, 5}, .speed = 20, .coefficient = coefficient});

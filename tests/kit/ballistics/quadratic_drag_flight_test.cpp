@@ -7,13 +7,7 @@
 #include "kit/ballistics/shots.h"
 
 using namespace plumb::test;
-using plumb::FlightPoint;
-using plumb::QuadraticDrag;
-using plumb::quadraticDragApex;
-using plumb::quadraticDragFlight;
-using plumb::quadraticDragLanding;
-using plumb::Random;
-using plumb::Vec2;
+using namespace plumb;
 
 namespace {
 
@@ -40,7 +34,7 @@ TEST_CASE("a vertical flight through quadratic drag is the closed form's", "[bal
         const QuadraticDrag drag{magnitude(random, 1e-6, 10), magnitude(random, 0.1, 100)};
         const double speed = magnitude(random, 1e-4, 1e3) * terminalSpeed(drag);
         const auto where = [&] { return describe("c", drag.coefficient, "g", drag.gravity, "speed", speed); };
-        const plumb::VerticalShot shot = shootUp(speed, drag);
+        const VerticalShot shot = shootUp(speed, drag);
         const auto top = quadraticDragApex({0, speed}, drag);
         const auto down = quadraticDragLanding({0, speed}, 0, drag);
         REQUIRE((top && down));
@@ -50,7 +44,7 @@ TEST_CASE("a vertical flight through quadratic drag is the closed form's", "[bal
         landing.hold(std::fabs(-down->velocity.y() / shot.returnSpeed - 1), where);
         landing.hold(std::fabs(down->position.y()) / shot.height, where);
         const double time = magnitude(random, 1e-3, 1e3) * terminalSpeed(drag) / drag.gravity;
-        const plumb::Fall fall = fallFor(time, drag);
+        const Fall fall = fallFor(time, drag);
         const auto fallen = quadraticDragFlight({0, 0}, time, drag);
         const auto dropped = quadraticDragLanding({0, 0}, fall.distance, drag);
         REQUIRE((fallen && dropped));
@@ -93,10 +87,10 @@ TEST_CASE("a shot aimed through quadratic drag passes its target when the aim sa
     int shots = 0;
     Worst missed("quadratic drag flight: distance from the target, relative");
     for (int i = 0; i < cases(5000); ++i) {
-        const plumb::QuadraticDragAim aim{.target = {random.uniform(-60, 60), random.uniform(-40, 40)},
-                                          .speed = random.uniform(5, 80),
-                                          .coefficient = magnitude(random, 1e-5, 0.1)};
-        for (const plumb::Shot& shot : aimThroughQuadraticDrag(aim)) {
+        const QuadraticDragAim aim{.target = {random.uniform(-60, 60), random.uniform(-40, 40)},
+                                   .speed = random.uniform(5, 80),
+                                   .coefficient = magnitude(random, 1e-5, 0.1)};
+        for (const Shot& shot : aimThroughQuadraticDrag(aim)) {
             const auto there = quadraticDragFlight(shot.velocity, shot.time, {.coefficient = aim.coefficient});
             REQUIRE(there);
             const double length = aim.speed * shot.time;
@@ -132,7 +126,7 @@ TEST_CASE("flights without drag are parabolas, and those that cannot land have n
     CHECK((slight->position - Vec2(15, -25)).norm() < 1e-10);
     // After long it has gone as far as it can, and falls straight.
     const auto late = quadraticDragFlight({30, 10}, 1e6, {.coefficient = 0.1});
-    const double terminal = plumb::terminalSpeed({.coefficient = 0.1});
+    const double terminal = terminalSpeed({.coefficient = 0.1});
     REQUIRE(late);
     CHECK(late->velocity.x() == 0);
     CHECK(std::fabs(late->velocity.y() / terminal + 1) < 1e-12);

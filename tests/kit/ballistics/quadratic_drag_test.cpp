@@ -5,13 +5,7 @@
 #include "kit/ballistics/shots.h"
 
 using namespace plumb::test;
-using plumb::Fall;
-using plumb::fallFor;
-using plumb::QuadraticDrag;
-using plumb::Random;
-using plumb::shootUp;
-using plumb::terminalSpeed;
-using plumb::VerticalShot;
+using namespace plumb;
 
 // Worked numbers of the firing solution, "c = 0.005, up 50": terminal speed 44.294469181, rise 3.8191317573 s
 // to 82.163273487 m, return at 33.155434439 m/s after 4.3779184523 s. Section 5, "terminal speed": after 3

@@ -8,14 +8,7 @@
 #include "kit/ballistics/shots.h"
 
 using namespace plumb::test;
-using plumb::apexOf;
-using plumb::greatestRange;
-using plumb::GreatestRange;
-using plumb::landingOf;
-using plumb::Launch;
-using plumb::PathPoint;
-using plumb::Random;
-using plumb::Vec2;
+using namespace plumb;
 
 // Worked numbers of the firing solution, "v = 20 exact limit": range 40.774719674 m at 45 degrees, t 2.8832080782 s,
 // apex 10.193679918 m.

@@ -19,13 +19,13 @@
 
 namespace {
 
-using plumb::Vec2;
+using namespace plumb;
 
 /// A thousand targets 5 to 35 m away, most of them in reach of 20 m/s; by turns.
 class Targets {
 public:
     Targets() {
-        plumb::Random random(1);
+        Random random(1);
         for (int i = 0; i < 1000; ++i) targets_.push_back({random.uniform(5, 30), random.uniform(-15, 15)});
     }
     const Vec2& next() {
@@ -43,44 +43,43 @@ private:
 TEST_CASE("shots solved a second", "[.][!benchmark][shots]") {
     Targets targets;
     BENCHMARK("fixed speed, both arcs") {
-        return plumb::aim({.target = targets.next(), .speed = 20});
+        return aim({.target = targets.next(), .speed = 20});
     };
     BENCHMARK("fixed angle") {
-        return plumb::aimAtAngle({.target = targets.next(), .angle = 1});
+        return aimAtAngle({.target = targets.next(), .angle = 1});
     };
     BENCHMARK("fixed time") {
-        return plumb::aimInTime({.target = targets.next(), .time = 2});
+        return aimInTime({.target = targets.next(), .time = 2});
     };
     BENCHMARK("least speed") {
-        return plumb::aimSlowest({.target = targets.next()});
+        return aimSlowest({.target = targets.next()});
     };
     BENCHMARK("greatest range") {
-        return plumb::greatestRange({.speed = 20, .height = targets.next().x()});
+        return greatestRange({.speed = 20, .height = targets.next().x()});
     };
     BENCHMARK("given apex") {
-        return plumb::aimByApex({.target = targets.next(), .apex = 16});
+        return aimByApex({.target = targets.next(), .apex = 16});
     };
     BENCHMARK("moving target, all shots") {
-        return plumb::aimAtMoving({.target = targets.next(), .targetVelocity = {-4, 3}, .speed = 20});
+        return aimAtMoving({.target = targets.next(), .targetVelocity = {-4, 3}, .speed = 20});
     };
     BENCHMARK("beam at a moving target") {
-        return plumb::aimBeam({.target = targets.next(), .targetVelocity = {-4, 3}, .speed = 20});
+        return aimBeam({.target = targets.next(), .targetVelocity = {-4, 3}, .speed = 20});
     };
     BENCHMARK("over a wall") {
-        return plumb::aimOver({.target = targets.next(), .walls = {{4, 3}}, .speed = 20});
+        return aimOver({.target = targets.next(), .walls = {{4, 3}}, .speed = 20});
     };
     BENCHMARK("over a wall, least speed") {
-        return plumb::aimSlowestOver({.target = targets.next(), .walls = {{4, 3}}});
+        return aimSlowestOver({.target = targets.next(), .walls = {{4, 3}}});
     };
     BENCHMARK("linear drag and wind, both arcs") {
-        return plumb::aimThroughLinearDrag(
-            {.target = targets.next(), .speed = 20, .drag = {.rate = 0.2, .wind = {-5, 0}}});
+        return aimThroughLinearDrag({.target = targets.next(), .speed = 20, .drag = {.rate = 0.2, .wind = {-5, 0}}});
     };
     BENCHMARK("linear drag and wind, fixed time") {
-        return plumb::aimThroughLinearDragInTime(
+        return aimThroughLinearDragInTime(
             {.target = targets.next(), .time = 2, .drag = {.rate = 0.2, .wind = {-5, 0}}});
     };
     BENCHMARK("quadratic drag, both arcs") {
-        return plumb::aimThroughQuadraticDrag({.target = targets.next(), .speed = 20, .coefficient = 0.005});
+        return aimThroughQuadraticDrag({.target = targets.next(), .speed = 20, .coefficient = 0.005});
     };
 }

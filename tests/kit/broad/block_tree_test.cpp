@@ -11,12 +11,7 @@
 #include "kit/broad/box_scenes.h"
 
 using box_scenes::squareAround;
-using plumb::Aabb;
-using plumb::BlockTree;
-using plumb::Bounds;
-using plumb::BoundsRounding;
-using plumb::Random;
-using plumb::Vec2;
+using namespace plumb;
 
 namespace {
 
@@ -155,10 +150,10 @@ TEST_CASE("rounding to float keeps every overlap, and every overlap that it show
         const Aabb b = squareAround({1e6 + step * random.integer(0, 9), step * random.integer(0, 9)}, 2 * step);
         const Bounds fa = far(a);
         const Bounds fb = far(b);
-        if (plumb::overlap(a, b) && !boundsOverlap(fa, fb)) ++lost;
+        if (overlap(a, b) && !boundsOverlap(fa, fb)) ++lost;
         const bool beyond =
             fa.lowerX < fb.upperX && fb.lowerX < fa.upperX && fa.lowerY < fb.upperY && fb.lowerY < fa.upperY;
-        if (beyond && !plumb::overlap(a, b)) ++invented;
+        if (beyond && !overlap(a, b)) ++invented;
     }
     CHECK(lost == 0);
     CHECK(invented == 0);

@@ -12,11 +12,7 @@
 
 namespace {
 
-using plumb::Aabb;
-using plumb::BlockTree;
-using plumb::BoxProbe;
-using plumb::Random;
-using plumb::Vec2;
+using namespace plumb;
 
 constexpr int laneCounts[] = {1, 4, 8, 16};
 
@@ -51,7 +47,7 @@ double distanceOf(const Aabb& box, const Vec2& point) {
 struct Crowd {
     Crowd(Random& random, double size, const Vec2& place) : origin(place + within(random, 100)) {
         const int count = random.integer(1, 600);
-        const plumb::BoundsRounding rounded(origin);
+        const BoundsRounding rounded(origin);
         for (int i = 0; i < count; ++i) {
             const Vec2 center = place + within(random, size);
             const Vec2 half = within(random, random.integer(0, 9) ? 0.3 : 0.3 * size).cwiseAbs();
@@ -101,13 +97,12 @@ TEST_CASE("no box of 2,000 crowds that lies in a ray's way or near a point is pa
         std::vector<std::uint32_t> firstWay, firstNear;
         for (const int lanes : laneCounts) {
             std::vector<std::uint32_t> onWay, near;
-            crowd.tree.probe(plumb::rayProbe(ray.from, ray.to, ray.half, crowd.origin, lanes), 1,
-                             [&](std::uint32_t slot) {
-                                 onWay.push_back(slot);
-                                 return 1.0f;
-                             });
-            const float limit = plumb::probeLimit(within);
-            crowd.tree.probe(plumb::pointProbe(ray.from, crowd.origin, lanes), limit, [&](std::uint32_t slot) {
+            crowd.tree.probe(rayProbe(ray.from, ray.to, ray.half, crowd.origin, lanes), 1, [&](std::uint32_t slot) {
+                onWay.push_back(slot);
+                return 1.0f;
+            });
+            const float limit = probeLimit(within);
+            crowd.tree.probe(pointProbe(ray.from, crowd.origin, lanes), limit, [&](std::uint32_t slot) {
                 near.push_back(slot);
                 return limit;
             });
@@ -139,7 +134,7 @@ TEST_CASE("a probe that narrows down to the nearest of 10,000 boxes looks at few
     Random random(5);
     BlockTree tree;
     std::vector<Aabb> boxes;
-    const plumb::BoundsRounding rounded(Vec2(0, 0));
+    const BoundsRounding rounded(Vec2(0, 0));
     for (int i = 0; i < 10'000; ++i) {  // in rows, as a curve would order them
         const Vec2 center(i % 4 + 4 * (i / 16 % 25), i / 4 % 4 + 4 * (i / 400));
         boxes.push_back({center - Vec2(0.3, 0.3), center + Vec2(0.3, 0.3)});
@@ -150,10 +145,10 @@ TEST_CASE("a probe that narrows down to the nearest of 10,000 boxes looks at few
     for (int i = 0; i < 1000; ++i) {
         const Vec2 from = Vec2(50, 50) + within(random, 50), to = Vec2(50, 50) + within(random, 50);
         double first = 2, brute = 2;
-        tree.probe(plumb::rayProbe(from, to, {0, 0}, {0, 0}, 16), 1, [&](std::uint32_t slot) {
+        tree.probe(rayProbe(from, to, {0, 0}, {0, 0}, 16), 1, [&](std::uint32_t slot) {
             ++looked;
             first = std::min(first, entryOf(boxes[slot], {0, 0}, from, to));
-            return plumb::probeLimit(std::min(first, 1.0));
+            return probeLimit(std::min(first, 1.0));
         });
         for (const Aabb& box : boxes) brute = std::min(brute, entryOf(box, {0, 0}, from, to));
         wrong += first != brute;
@@ -164,14 +159,14 @@ TEST_CASE("a probe that narrows down to the nearest of 10,000 boxes looks at few
 
 TEST_CASE("clipRay keeps the part of a ray in a box, its ends too, and nothing of one that passes", "[broad]") {
     const Aabb box{{-1, -1}, {1, 1}};
-    const plumb::RayPart through = plumb::clipRay({-4, 0}, {4, 0}, box);
+    const RayPart through = clipRay({-4, 0}, {4, 0}, box);
     CHECK(std::fabs(through.first - 0.375) < 1e-15);
     CHECK(std::fabs(through.last - 0.625) < 1e-15);
-    const plumb::RayPart along = plumb::clipRay({-4, 1}, {4, 1}, box);
+    const RayPart along = clipRay({-4, 1}, {4, 1}, box);
     CHECK(along.first <= along.last);
-    const plumb::RayPart beside = plumb::clipRay({-4, 1.001}, {4, 1.001}, box);
+    const RayPart beside = clipRay({-4, 1.001}, {4, 1.001}, box);
     CHECK(beside.first > beside.last);
-    const plumb::RayPart none = plumb::clipRay({0.5, 0.5}, {0.5, 0.5}, box);
+    const RayPart none = clipRay({0.5, 0.5}, {0.5, 0.5}, box);
     CHECK(none.first == 0);
     CHECK(none.last == 1);
 }

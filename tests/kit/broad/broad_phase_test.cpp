@@ -13,10 +13,7 @@
 #include "kit/broad/box_scenes.h"
 
 using namespace box_scenes;
-using plumb::BroadPhase;
-using plumb::Pair;
-using plumb::PairSearch;
-using plumb::SortedPairs;
+using namespace plumb;
 
 namespace {
 
@@ -62,7 +59,7 @@ double growthOf(BroadPhase way, const std::vector<int>& counts) {
     double x = 0, y = 0, xx = 0, xy = 0;
     const auto n = static_cast<double>(counts.size());
     for (const int count : counts) {
-        const PairSearch search = plumb::findPairs(way, evenScene(count, static_cast<std::uint64_t>(count)));
+        const PairSearch search = findPairs(way, evenScene(count, static_cast<std::uint64_t>(count)));
         const double lnCount = std::log(count), lnTests = std::log(static_cast<double>(search.tests));
         x += lnCount, y += lnTests, xx += lnCount * lnCount, xy += lnCount * lnTests;
     }
@@ -81,8 +78,8 @@ TEST_CASE("all broad phases find equal pairs in 1,000 scenes of 24 kinds, from e
                                             : random.integer(2, 200);
         const Boxes boxes = sceneOf(kind, count, random);
         const SortedPairs expected = pairsByDefinition(boxes);
-        for (const BroadPhase way : plumb::broadPhases) {
-            const PairSearch search = plumb::findPairs(way, boxes);
+        for (const BroadPhase way : broadPhases) {
+            const PairSearch search = findPairs(way, boxes);
             INFO(nameOf(way) << ", scene " << round << ": " << kind.name << ", " << boxes.size() << " boxes");
             CHECK((search.pairs == expected));
             // Of brute force all are tested, of the others at least what is found.
@@ -103,11 +100,11 @@ TEST_CASE("a grid of any cell size finds the same pairs", "[broad]") {
         const SortedPairs expected = pairsByDefinition(boxes);
         for (const double size : {5e-324, 1e-300, 1e-9, 0.01, 0.7, 1.0, 30.0, 1e9, 1e300, 1.7e308}) {
             INFO(kind.name << ", cells of " << size << " m");
-            CHECK((plumb::gridPairs(boxes, {.cellSize = size}).pairs == expected));
+            CHECK((gridPairs(boxes, {.cellSize = size}).pairs == expected));
         }
     }
-    CHECK_THROWS_WITH(plumb::gridPairs({}, {.cellSize = -1}), "GridSettings.cellSize: -1 is negative");
-    CHECK_THROWS_WITH(plumb::gridPairs({}, {.cellSize = infinity}), "GridSettings.cellSize: inf is not finite");
+    CHECK_THROWS_WITH(gridPairs({}, {.cellSize = -1}), "GridSettings.cellSize: -1 is negative");
+    CHECK_THROWS_WITH(gridPairs({}, {.cellSize = infinity}), "GridSettings.cellSize: inf is not finite");
 }
 
 TEST_CASE("tests grow as n^2 by brute force, n^1.5 by sweep and prune, and n by grid and hierarchy", "[broad]") {
@@ -134,7 +131,7 @@ TEST_CASE("sweep and prune tests boxes in a row only against their neighbours, w
             center[axis] = 0.9 * i;
             boxes.push_back(around(center, 0.5, 0.5));
         }
-        const PairSearch search = plumb::sweepAndPrunePairs(boxes);
+        const PairSearch search = sweepAndPrunePairs(boxes);
         CHECK(search.pairs.size() == 9999);
         CHECK(search.tests == 9999);
     }
@@ -151,7 +148,7 @@ TEST_CASE("a grid that is told nothing makes no more tests than one told twice t
                 const double side = half && i % 2 == 0 ? 75 : 75 * wider;
                 boxes.push_back(around(somewhere(random, side), 0.5, 0.5));
             }
-            const PairSearch chosen = plumb::gridPairs(boxes), told = plumb::gridPairs(boxes, {.cellSize = 2});
+            const PairSearch chosen = gridPairs(boxes), told = gridPairs(boxes, {.cellSize = 2});
             INFO("every " << (half ? "second" : "") << " box in a square " << wider << " times as wide");
             CHECK((chosen.pairs == told.pairs));
             // Sides are a metre but for a rounding, so cells are told but for a rounding as well.
@@ -169,28 +166,28 @@ TEST_CASE("points in a row and in a square share no cell, at any distance from e
             row.push_back(around(Vec2(i, 3) * apart, 0, 0));
             square.push_back(around(Vec2(i % 100, i / 100) * apart, 0, 0));
         }
-        CHECK(plumb::gridPairs(row).tests == 0);
-        CHECK(plumb::gridPairs(square).tests == 0);
+        CHECK(gridPairs(row).tests == 0);
+        CHECK(gridPairs(square).tests == 0);
     }
 }
 
 TEST_CASE("one box as large as the scene costs a grid one test a box", "[broad]") {
     Boxes boxes = evenScene(10'000, 3);
-    const plumb::GridSettings cells{.cellSize = 4};  // chosen from one box more, they would be a trifle wider
-    const std::uint64_t without = plumb::gridPairs(boxes, cells).tests;
+    const GridSettings cells{.cellSize = 4};  // chosen from one box more, they would be a trifle wider
+    const std::uint64_t without = gridPairs(boxes, cells).tests;
     boxes.push_back(around({0, 0}, 1e6, 1e6));
-    const PairSearch search = plumb::gridPairs(boxes, cells);
+    const PairSearch search = gridPairs(boxes, cells);
     CHECK(search.tests == without + 10'000);
     boxes.back() = {{-infinity, -infinity}, {infinity, infinity}};
-    CHECK(plumb::gridPairs(boxes, cells).tests == without + 10'000);
+    CHECK(gridPairs(boxes, cells).tests == without + 10'000);
 }
 
 TEST_CASE("a few boxes far away cost a grid nothing: a crowd of 1 m at 1e9 m and one at -1e12 m", "[broad]") {
     Boxes boxes = evenScene(10'000, 5);
-    const std::uint64_t near = plumb::gridPairs(boxes).tests;
+    const std::uint64_t near = gridPairs(boxes).tests;
     for (Aabb& box : boxes) box = {box.lower + Vec2(1e9, 1e9), box.upper + Vec2(1e9, 1e9)};
     boxes.push_back(around({-1e12, -1e12}, 1, 1));
-    const std::uint64_t far = plumb::gridPairs(boxes).tests;
+    const std::uint64_t far = gridPairs(boxes).tests;
     // The crowd's middle, and the cells with it, are moved a little by the one.
     CHECK(std::fabs(static_cast<double>(far) / static_cast<double>(near) - 1) < 0.01);
 }

@@ -10,9 +10,7 @@
 #include "kit/broad/box_scenes.h"
 
 using namespace box_scenes;
-using plumb::Bvh;
-using plumb::Pair;
-using plumb::SortedPairs;
+using namespace plumb;
 
 namespace {
 
@@ -40,8 +38,8 @@ SortedPairs pairsOf(const Boxes& boxes) {
 
 TEST_CASE("brute force finds each touching pair once, in order", "[broad]") {
     const Boxes boxes = {around({0, 0}, 1, 1), around({9, 9}, 1, 1), around({2, 0}, 1, 1), around({1, 1}, 0, 0)};
-    CHECK(plumb::bruteForcePairs(boxes).pairs == SortedPairs{{0, 2}, {0, 3}, {2, 3}});
-    CHECK(plumb::bruteForcePairs({}).pairs.empty());
+    CHECK(bruteForcePairs(boxes).pairs == SortedPairs{{0, 2}, {0, 3}, {2, 3}});
+    CHECK(bruteForcePairs({}).pairs.empty());
 }
 
 TEST_CASE("the hierarchy's pairs equal brute force's in 576 scenes of 24 kinds", "[broad]") {
@@ -52,7 +50,7 @@ TEST_CASE("the hierarchy's pairs equal brute force's in 576 scenes of 24 kinds",
         for (int round = 0; round < 24; ++round) {
             const Boxes boxes = sceneOf(kind, round < 20 ? random.integer(0, 200) : random.integer(500, 1500), random);
             bvh.build(boxes);
-            const SortedPairs expected = plumb::bruteForcePairs(boxes).pairs;
+            const SortedPairs expected = bruteForcePairs(boxes).pairs;
             INFO(kind.name << ", " << boxes.size() << " boxes");
             CHECK((bvh.pairs() == expected));
             total += expected.size();
@@ -86,7 +84,7 @@ TEST_CASE("sets of 0 to 70 boxes at one point pair each with each", "[broad]") {
 
 TEST_CASE("1,024 boxes at one point make 523,776 pairs", "[broad]") {
     const Boxes boxes(1024, around({3, 4}, 1, 1));
-    CHECK((pairsOf(boxes) == plumb::bruteForcePairs(boxes).pairs));
+    CHECK((pairsOf(boxes) == bruteForcePairs(boxes).pairs));
     CHECK(pairsOf(boxes).size() == 523'776);
     // Points are boxes, too.
     CHECK(pairsOf(Boxes(1024, around({3, 4}, 0, 0))).size() == 523'776);

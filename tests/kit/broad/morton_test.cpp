@@ -11,8 +11,7 @@
 #include "kit/broad/box_scenes.h"
 
 using box_scenes::squareAround;
-using plumb::Aabb;
-using plumb::Vec2;
+using namespace plumb;
 
 namespace {
 
@@ -21,7 +20,7 @@ using Order = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t runLimit = 8;
 
-Boxes evenBoxes(int count, plumb::Random& random) {
+Boxes evenBoxes(int count, Random& random) {
     Boxes boxes;
     const double side = std::sqrt(count);
     for (int i = 0; i < count; ++i)
@@ -42,45 +41,45 @@ double blockSize(const Boxes& boxes, const Order& order) {
     int blocks = 0;
     for (std::size_t begin = 0; begin + 8 <= order.size(); begin += 8, ++blocks) {
         Aabb bounds = boxes[order[begin]];
-        for (std::size_t k = begin; k < begin + 8; ++k) bounds = plumb::merge(bounds, boxes[order[k]]);
+        for (std::size_t k = begin; k < begin + 8; ++k) bounds = merge(bounds, boxes[order[k]]);
         sum += (bounds.upper - bounds.lower).sum();
     }
     return sum / blocks;
 }
 
 double blockSize(const Boxes& boxes) {
-    return blockSize(boxes, plumb::mortonOrder(boxes, runLimit));
+    return blockSize(boxes, mortonOrder(boxes, runLimit));
 }
 
 }  // namespace
 
 TEST_CASE("an order names each of 0 to 2,000 boxes once", "[broad]") {
-    plumb::Random random(67);
+    Random random(67);
     for (const int count : {0, 1, 2, 9, 300, 2000}) {
         const Boxes boxes = evenBoxes(count, random);
-        CHECK(isPermutation(plumb::mortonOrder(boxes, runLimit), boxes.size()));
+        CHECK(isPermutation(mortonOrder(boxes, runLimit), boxes.size()));
     }
 }
 
 TEST_CASE("boxes in one place keep the order they came in", "[broad]") {
-    const Order order = plumb::mortonOrder(Boxes(1000, squareAround({3, 4}, 1)), runLimit);
+    const Order order = mortonOrder(Boxes(1000, squareAround({3, 4}, 1)), runLimit);
     CHECK(std::is_sorted(order.begin(), order.end()));
 }
 
 TEST_CASE("eight boxes that follow each other lie near each other", "[broad]") {
-    plumb::Random random(71);
+    Random random(71);
     // Eight boxes at one a square metre fill a square of 2.8 m, half perimeter 5.7 m; a Z has blocks in two parts here
     // and there, which is why it is less than twice that.
     CHECK(blockSize(evenBoxes(10'000, random)) < 2 * 5.7);
 }
 
 TEST_CASE("boxes at 1e9 m and 1e300 m leave the others as near to each other as they were", "[broad]") {
-    plumb::Random random(73);
+    Random random(73);
     Boxes boxes = evenBoxes(10'000, random);
     const double alone = blockSize(boxes);
     for (const double far : {1e9, 1e300}) {
         boxes.push_back(squareAround({far, -far}, 1));
-        Order order = plumb::mortonOrder(boxes, runLimit);
+        Order order = mortonOrder(boxes, runLimit);
         std::erase_if(order, [](std::uint32_t index) { return index >= 10'000; });
         // The cells have other rims: no more than a tenth either way.
         CHECK(blockSize(boxes, order) < 1.1 * alone);
@@ -88,10 +87,10 @@ TEST_CASE("boxes at 1e9 m and 1e300 m leave the others as near to each other as 
 }
 
 TEST_CASE("the hundred largest of 10,000 boxes come last", "[broad]") {
-    plumb::Random random(79);
+    Random random(79);
     Boxes boxes = evenBoxes(10'000, random);
-    for (std::size_t i = 0; i < 100; ++i) boxes[i * 97] = plumb::inflate(boxes[i * 97], 20);
-    const Order order = plumb::mortonOrder(boxes, runLimit);
+    for (std::size_t i = 0; i < 100; ++i) boxes[i * 97] = inflate(boxes[i * 97], 20);
+    const Order order = mortonOrder(boxes, runLimit);
     const auto large = [&boxes](std::uint32_t index) { return boxes[index].upper.x() - boxes[index].lower.x() > 20; };
     CHECK(std::all_of(order.end() - 100, order.end(), large));
     CHECK(std::none_of(order.begin(), order.end() - 100, large));
@@ -99,7 +98,7 @@ TEST_CASE("the hundred largest of 10,000 boxes come last", "[broad]") {
 
 TEST_CASE("of 16,000 boxes in a column that trembles sideways, sixteen that follow each other are neighbours",
           "[broad]") {
-    plumb::Random random(83);
+    Random random(83);
     for (const bool upright : {true, false}) {
         Boxes boxes;
         for (int i = 0; i < 16'000; ++i) {
@@ -112,11 +111,11 @@ TEST_CASE("of 16,000 boxes in a column that trembles sideways, sixteen that foll
 }
 
 TEST_CASE("one sort does for many crowds", "[broad]") {
-    plumb::Random random(89);
-    plumb::MortonSort sort;
+    Random random(89);
+    MortonSort sort;
     for (const int count : {500, 3, 0, 2000, 40}) {
         const Boxes boxes = evenBoxes(count, random);
         const auto order = sort(boxes, runLimit);
-        CHECK((Order(order.begin(), order.end()) == plumb::mortonOrder(boxes, runLimit)));
+        CHECK((Order(order.begin(), order.end()) == mortonOrder(boxes, runLimit)));
     }
 }

@@ -8,11 +8,11 @@
 
 #include "catch.h"
 
-using plumb::Pair;
+using namespace plumb;
 
 TEST_CASE("pairs sorted byte by byte stand as those sorted by comparing do, 400 times", "[broad]") {
-    plumb::Random random(47);
-    plumb::RadixSort<Pair, 8> sort;
+    Random random(47);
+    RadixSort<Pair, 8> sort;
     int wrong = 0;
     for (int round = 0; round < 400; ++round) {
         const int most = 1 << random.integer(0, 30);
@@ -30,7 +30,7 @@ TEST_CASE("pairs sorted byte by byte stand as those sorted by comparing do, 400 
 TEST_CASE("items of equal keys keep the order they came in", "[broad]") {
     std::vector<Pair> items;
     for (std::uint32_t i = 0; i < 1000; ++i) items.push_back({i * 7919 % 13, i});
-    plumb::RadixSort<Pair, 4> sort;
+    RadixSort<Pair, 4> sort;
     sort(items, [](const Pair& item) { return item.a; });
     CHECK(std::is_sorted(items.begin(), items.end()));
 }

@@ -13,18 +13,14 @@
 
 namespace {
 
-using plumb::bisectCollision;
-using plumb::CollisionTime;
-using plumb::Random;
-using plumb::Shape;
-using plumb::Sweep;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 using Probes = std::vector<double>;
 
 /// A ball of 1 m that falls by 16 m in a frame, onto a floor that it meets after this share of the frame.
 std::optional<CollisionTime> ballOnFloor(double contact, int probes) {
-    const Shape ball = plumb::Circle{0.5}, floor = plumb::boxPolygon({50, 50}, {0, -50});
+    const Shape ball = Circle{0.5}, floor = boxPolygon({50, 50}, {0, -50});
     return bisectCollision(ball, {.start = {0, 0.5 + 16 * contact}, .shift = {0, -16}}, floor, {}, probes);
 }
 
@@ -64,7 +60,7 @@ TEST_CASE("halving n times is within 2^-n of the first touch, 100,000 times", "[
     Random random(101);
     int found = 0, sameTouch = 0, faults = 0;
     double worst = 0;
-    const int count = plumb::test::cases(100'000);
+    const int count = cases(100'000);
     for (int i = 0; i < count; ++i) {
         const Shape a = randomShape(random, randomKind(random), 1), b = randomShape(random, randomKind(random), 1);
         const Sweep sweepA{randomVec2(random, 3), randomVec2(random, 3), random.uniform(-3, 3), random.uniform(-1, 1)};
@@ -78,7 +74,7 @@ TEST_CASE("halving n times is within 2^-n of the first touch, 100,000 times", "[
         const fine_stepping::Pair pair(a, sweepA, b, sweepB);
         faults += !(pair.gapAt(time->apart) > -1e-12 && pair.gapAt(time->overlapping) < 1e-12);
         // Of several times that they touch it may have found a later one.
-        const auto touch = plumb::firstTouch(a, sweepA, b, sweepB, 1e-9);
+        const auto touch = firstTouch(a, sweepA, b, sweepB, 1e-9);
         faults += !touch || touch->time > time->overlapping;
         if (!touch || verdictOn(pair, 0, time->apart) != fine_stepping::Verdict::Apart) continue;
         ++sameTouch;
@@ -97,10 +93,10 @@ TEST_CASE("halving n times is within 2^-n of the first touch, 100,000 times", "[
 
 TEST_CASE("bisection does not see what went right through, nor what touched and parted, it needs an overlap at the end",
           "[collide][sweep]") {
-    const Shape bullet = plumb::Circle{0.01}, window = plumb::boxPolygon({0.05, 1});
+    const Shape bullet = Circle{0.01}, window = boxPolygon({0.05, 1});
     const Sweep through{.start = {-8, 0}, .shift = {1000.0 / 60, 0}};
     CHECK_FALSE(bisectCollision(bullet, through, window, {}));
-    CHECK(plumb::firstTouch(bullet, through, window, {}));
+    CHECK(firstTouch(bullet, through, window, {}));
     CHECK(bisectCollision(bullet, {.start = {-8, 0}, .shift = {8, 0}}, window, {}));
     // From the start on: no later than that.
     const auto since = bisectCollision(bullet, {.start = {0, 0}, .shift = {0.01, 0}}, window, {});
@@ -112,9 +108,9 @@ TEST_CASE("bisection does not see what went right through, nor what touched and 
     REQUIRE(twice);
     CHECK(std::fabs(twice->overlapping - 0.7) <= std::ldexp(1, -10));
     CHECK_THROWS_WITH(bisectCollision([](double) { return true; }, 53),
-                      plumb::test::containsText("bisectCollision.probes: 53 is not"));
+                      containsText("bisectCollision.probes: 53 is not"));
     CHECK_THROWS_WITH(bisectCollision([](double) { return true; }, -1),
-                      plumb::test::containsText("bisectCollision.probes: -1 is not"));
+                      containsText("bisectCollision.probes: -1 is not"));
 }
 
 // The lecture, slide 25: at 1000 m/s and 1/60 s a bullet moves 16.667 m between two frames.
@@ -122,7 +118,7 @@ TEST_CASE("a bullet at 1000 m/s goes 16.667 m a frame: the overlap test misses t
           "[collide][sweep][facts]") {
     constexpr double frame = 1.0 / 60, thickness = 0.1, diameter = 0.02;
     CHECK(std::fabs(1000 * frame - 16.667) < 0.0005);
-    const Shape bullet = plumb::Circle{diameter / 2}, window = plumb::boxPolygon({thickness / 2, 1});
+    const Shape bullet = Circle{diameter / 2}, window = boxPolygon({thickness / 2, 1});
     // Of frames that lie v dt apart, one sees the two overlap for a way of thickness + diameter.
     constexpr double limit = (thickness + diameter) / frame;
     CHECK(std::fabs(limit - 7.2) < 1e-12);

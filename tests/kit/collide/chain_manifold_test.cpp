@@ -15,11 +15,8 @@
 
 namespace {
 
-using plumb::Convex;
-using plumb::Manifold;
-using plumb::RelativePose;
-using plumb::Vec2;
-using plumb::Vec2f;
+using namespace plumb;
+using namespace plumb::test;
 
 constexpr double pi = std::numbers::pi;
 
@@ -29,9 +26,9 @@ struct Line {
     std::vector<minkowski::Outline> outlines;
 };
 
-Line lineOfChain(const plumb::Chain& chain) {
+Line lineOfChain(const Chain& chain) {
     Line line{chain.points, {}, {}};
-    for (const plumb::Shape& piece : piecesOf(chain)) {
+    for (const Shape& piece : piecesOf(chain)) {
         line.pieces.push_back(convexOf(piece, {0, 0}));
         line.outlines.push_back(outlineOf(line.pieces.back(), {}));
     }
@@ -40,7 +37,7 @@ Line lineOfChain(const plumb::Chain& chain) {
 
 /// From (0, 0) on, each segment turned from the one before.
 Line lineThrough(const std::vector<double>& lengths, const std::vector<double>& turns, double angle) {
-    plumb::Chain chain;
+    Chain chain;
     chain.points.emplace_back(0, 0);
     for (std::size_t i = 0; i < lengths.size(); ++i) {
         angle += i > 0 ? turns[i - 1] : 0;
@@ -50,7 +47,7 @@ Line lineThrough(const std::vector<double>& lengths, const std::vector<double>& 
 }
 
 /// A chain of 3 segments, whose turns at the joints are as large as that.
-Line randomLine(plumb::Random& random, double scale, double turn) {
+Line randomLine(Random& random, double scale, double turn) {
     std::vector<double> lengths, turns;
     for (int i = 0; i < 3; ++i) lengths.push_back(scale * random.uniform(0.2, 3));
     for (int i = 0; i < 2; ++i) {
@@ -159,14 +156,14 @@ Vec2 middleOf(const minkowski::Outline& outline) {
 bool isBehindNeighbour(const Line& line, const Body& body, std::size_t piece) {
     const Vec2 middle = middleOf(body.outline);
     const auto sideOf = [&](std::size_t i) {
-        return plumb::cross(Vec2(line.points[i + 1] - line.points[i]), Vec2(middle - line.points[i]));
+        return cross(Vec2(line.points[i + 1] - line.points[i]), Vec2(middle - line.points[i]));
     };
     const auto gap = [&](std::size_t i) { return gapBetween(line.outlines[i], body.outline).separation; };
     for (const std::size_t next : {piece - 1, piece + 1}) {
         if (next >= line.pieces.size()) continue;
         const std::size_t first = std::min(piece, next);
-        const double turn = plumb::cross(Vec2(line.points[first + 1] - line.points[first]),
-                                         Vec2(line.points[first + 2] - line.points[first + 1]));
+        const double turn = cross(Vec2(line.points[first + 1] - line.points[first]),
+                                  Vec2(line.points[first + 2] - line.points[first + 1]));
         // Where the line turns to the left, its right side is convex.
         const double inFront = turn > 0 ? -1 : 1;
         if (inFront * sideOf(next) > 0 && inFront * sideOf(piece) < 0 && gap(next) < gap(piece)) return true;
@@ -221,9 +218,9 @@ struct ChainTally {
 };
 
 ChainTally tallyOfChains(Kind kind) {
-    plumb::Random random(7000 + static_cast<std::uint64_t>(kind));
+    Random random(7000 + static_cast<std::uint64_t>(kind));
     ChainTally tally;
-    for (int i = 0; i < plumb::test::allCases(10'000); ++i) {
+    for (int i = 0; i < allCases(10'000); ++i) {
         const double scale = std::pow(10, random.uniform(-1, 0.5));
         const Line line = randomLine(random, scale, 2.4);
         const Convex convex = randomConvex(random, kind, scale * random.uniform(0.2, 2));
@@ -262,13 +259,13 @@ struct Flush {
 
 /// Kinds 0 to 3: disc, box, capsule, rounded box.
 Flush flushOn(int kind, double half, double radius, const Vec2& at, double angle, double sunk) {
-    const Vec2 along(std::cos(angle), std::sin(angle)), up = plumb::perp(along);
-    plumb::Shape shape = plumb::Circle{radius};
+    const Vec2 along(std::cos(angle), std::sin(angle)), up = perp(along);
+    Shape shape = Circle{radius};
     double high = radius;
-    if (kind == 1) shape = plumb::boxPolygon({half, radius});
-    if (kind == 2) shape = plumb::Capsule{{-half, 0}, {half, 0}, radius};
+    if (kind == 1) shape = boxPolygon({half, radius});
+    if (kind == 2) shape = Capsule{{-half, 0}, {half, 0}, radius};
     if (kind == 3) {
-        plumb::Polygon rounded = plumb::boxPolygon({half, radius});
+        Polygon rounded = boxPolygon({half, radius});
         rounded.radius = radius / 2;
         high += rounded.radius;
         shape = rounded;
@@ -277,18 +274,18 @@ Flush flushOn(int kind, double half, double radius, const Vec2& at, double angle
     return {placed(convexOf(shape, {0, 0}), center, angle), kind == 0 ? 0 : half};
 }
 
-double randomLength(plumb::Random& random) {
+double randomLength(Random& random) {
     return random.uniform(0.05, 1.5);
 }
 
 /// Just at a joint, just short of it, just past it, or anywhere.
-double randomAside(plumb::Random& random) {
+double randomAside(Random& random) {
     const int way = random.integer(-1, 1);
     return random.integer(0, 3) == 0 ? random.uniform(-0.5, 0.5) : way * placements::powerOfTen(random, -8, -2);
 }
 
 /// Not sunk, or by 1e-7 to 5e-3 m.
-double randomSunk(plumb::Random& random) {
+double randomSunk(Random& random) {
     return random.integer(0, 3) == 0 ? 0 : placements::powerOfTen(random, -7, -2.3);
 }
 
@@ -300,14 +297,14 @@ TEST_CASE("10,000 placements of each shape on bent chains are held, and pushed o
         const ChainTally tally = tallyOfChains(kind);
         INFO(nameOf(kind) << ": " << tally.apart << " apart, " << tally.sunk << " sunk; first fault: " << tally.first);
         CHECK(tally.faults == 0);
-        CHECK(tally.apart > plumb::test::allCases(3000));
-        CHECK((tally.sunk > plumb::test::allCases(3000) || kind == Kind::Segment));
+        CHECK(tally.apart > allCases(3000));
+        CHECK((tally.sunk > allCases(3000) || kind == Kind::Segment));
     }
 }
 
 TEST_CASE("box, disc, capsule and rounded box flush on a straight chain, or sunk to 5 mm, feel one long straight floor",
           "[collide][chain]") {
-    plumb::Random random(31);
+    Random random(31);
     double worstTurn = 0, worstDepth = 0, worstEnd = 0;
     for (int i = 0; i < 20'000; ++i) {
         std::vector<double> lengths;
@@ -331,7 +328,7 @@ TEST_CASE("box, disc, capsule and rounded box flush on a straight chain, or sunk
             for (std::size_t p = 0; p < static_cast<std::size_t>(m.count); ++p) {
                 if (m.points[p].separation > 0.005f) continue;  // the disc's next segment, which it may reach
                 const Vec2 normal = m.normal.cast<double>();
-                worstTurn = std::max(worstTurn, (normal - plumb::perp(along)).norm());
+                worstTurn = std::max(worstTurn, (normal - perp(along)).norm());
                 worstDepth = std::max(worstDepth, std::fabs(static_cast<double>(m.points[p].separation) + sunk));
                 const double place = m.points[p].position.cast<double>().dot(along);
                 first = std::min(first, place);
@@ -347,7 +344,7 @@ TEST_CASE("box, disc, capsule and rounded box flush on a straight chain, or sunk
 }
 
 TEST_CASE("a body that slides off a segment is never held back at a flat or convex joint", "[collide][chain]") {
-    plumb::Random random(37);
+    Random random(37);
     double mostBack = 0;
     int atJoint = 0;
     for (int i = 0; i < 20'000; ++i) {
@@ -371,7 +368,7 @@ TEST_CASE("a body that slides off a segment is never held back at a flat or conv
 
 TEST_CASE("a body that slides towards a brink of 45 to 160 degrees is not held back by the drop's inside",
           "[collide][chain]") {
-    plumb::Random random(47);
+    Random random(47);
     double mostBack = 0;
     int near = 0;
     for (int i = 0; i < 20'000; ++i) {
@@ -396,7 +393,7 @@ TEST_CASE("a body that slides towards a brink of 45 to 160 degrees is not held b
 }
 
 TEST_CASE("a body that slides towards a rise is not pushed back before it is there", "[collide][chain]") {
-    plumb::Random random(41);
+    Random random(41);
     int early = 0, looked = 0;
     for (int i = 0; i < 20'000; ++i) {
         const double turn = placements::powerOfTen(random, -2.5, 0.3);
@@ -417,7 +414,7 @@ TEST_CASE("a body that slides towards a rise is not pushed back before it is the
 }
 
 TEST_CASE("the body asks the chain what the chain asks the body", "[collide][chain]") {
-    plumb::Random random(43);
+    Random random(43);
     int contacts = 0, differ = 0;
     for (int i = 0; i < 5'000; ++i) {
         const Line line = randomLine(random, 1, 2);

@@ -13,10 +13,8 @@ namespace {
 
 using minkowski::Outline;
 using minkowski::Point;
-using plumb::Distance;
-using plumb::Shape;
-using plumb::Transform;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 Distance distanceOf(const Placed& p) {
     return distance(p.a, p.poseA, p.b, p.poseB);
@@ -72,9 +70,9 @@ struct DistanceTally {
 };
 
 DistanceTally tallyOfDistances(Kind kindA, Kind kindB) {
-    plumb::Random random(2000 + 10 * static_cast<std::uint64_t>(kindA) + static_cast<std::uint64_t>(kindB));
+    Random random(2000 + 10 * static_cast<std::uint64_t>(kindA) + static_cast<std::uint64_t>(kindB));
     DistanceTally tally;
-    for (int i = 0; i < plumb::test::allCases(10'000); ++i) {
+    for (int i = 0; i < allCases(10'000); ++i) {
         const Placed p = randomPlaced(random, kindA, kindB);
         const Distance d = distanceOf(p);
         const char* fault = faultOfDistance(p, d);
@@ -96,13 +94,13 @@ TEST_CASE("distances of 10,000 placements of each pair of shapes agree with the 
             INFO(nameOf(a) << " and " << nameOf(b) << ": " << tally.overlaps << " overlap, worst error " << tally.worst
                            << " of the size; first fault: " << tally.first);
             CHECK(tally.faults == 0);
-            CHECK(tally.overlaps > plumb::test::allCases(1000));
+            CHECK(tally.overlaps > allCases(1000));
         }
     }
 }
 
 TEST_CASE("a fault planted in a distance is found in each of 500 placements", "[collide]") {
-    plumb::Random random(5);
+    Random random(5);
     int flipped = 0, deeper = 0, shifted = 0, looked = 0;
     while (looked < 500) {
         const Kind a = randomKind(random), b = randomKind(random);
@@ -128,7 +126,7 @@ TEST_CASE("a fault planted in a distance is found in each of 500 placements", "[
 }
 
 TEST_CASE("a box 3 m right and 4 m above a box's corner is 5 m away, from corner to corner", "[collide]") {
-    const Shape box = plumb::boxPolygon({1, 1});
+    const Shape box = boxPolygon({1, 1});
     const Distance d = distance(box, {{0, 0}, {}}, box, {{5, 6}, {}});
     CHECK(d.separation == 5);
     CHECK((d.normal - Vec2(0.6, 0.8)).norm() < 1e-15);
@@ -137,9 +135,9 @@ TEST_CASE("a box 3 m right and 4 m above a box's corner is 5 m away, from corner
 }
 
 TEST_CASE("a segment has two sides: a circle of 0.5 m at 2 m is 1.5 m away above it and below", "[collide]") {
-    const Shape line = plumb::Segment{{-3, 0}, {3, 0}};
+    const Shape line = Segment{{-3, 0}, {3, 0}};
     for (const double side : {1.0, -1.0}) {
-        const Distance d = distance(line, {}, plumb::Circle{0.5}, {{1, 2 * side}, {}});
+        const Distance d = distance(line, {}, Circle{0.5}, {{1, 2 * side}, {}});
         CHECK(d.separation == 1.5);
         CHECK(d.normal == Vec2(0, side));
         CHECK(d.pointA == Vec2(1, 0));
@@ -148,7 +146,7 @@ TEST_CASE("a segment has two sides: a circle of 0.5 m at 2 m is 1.5 m away above
 }
 
 TEST_CASE("segments in line do not touch across a gap of 0.25 m, and do once they share a point", "[collide]") {
-    const Shape unit = plumb::Segment{{0, 0}, {1, 0}};
+    const Shape unit = Segment{{0, 0}, {1, 0}};
     const Distance apart = distance(unit, {}, unit, {{1.25, 0}, {}});
     CHECK(apart.separation == 0.25);
     CHECK(apart.normal == Vec2(1, 0));
@@ -156,11 +154,11 @@ TEST_CASE("segments in line do not touch across a gap of 0.25 m, and do once the
 }
 
 TEST_CASE("a chain is as far away as the nearest of its segments, at 1,000 placements of each shape", "[collide]") {
-    plumb::Random random(17);
+    Random random(17);
     double worst = 0;
     for (const Kind kind : kinds) {
         for (int i = 0; i < 1000; ++i) {
-            plumb::Chain chain;
+            Chain chain;
             for (int k = 0; k < 5; ++k) chain.points.push_back(randomVec2(random, 3));
             chain.closed = random.integer(0, 1) == 0;
             const Transform poseA{randomVec2(random, 3), turnBy(random.uniform(-3, 3))};
@@ -168,7 +166,7 @@ TEST_CASE("a chain is as far away as the nearest of its segments, at 1,000 place
             const Shape other = randomShape(random, kind, 1);
             double nearest = std::numeric_limits<double>::infinity();
             for (std::size_t k = 0; k + (chain.closed ? 0 : 1) < 5; ++k) {
-                const plumb::Segment piece{chain.points[k], chain.points[(k + 1) % 5]};
+                const Segment piece{chain.points[k], chain.points[(k + 1) % 5]};
                 const minkowski::Gap gap = gapBetween(outlineOf(piece, poseA), outlineOf(other, poseB));
                 nearest = std::min(nearest, gap.separation);
             }
@@ -180,13 +178,13 @@ TEST_CASE("a chain is as far away as the nearest of its segments, at 1,000 place
 }
 
 TEST_CASE("circles at one place are apart by minus their radii, and the normal is up", "[collide]") {
-    const Distance d = distance(plumb::Circle{0.5}, {{3, 4}, {}}, plumb::Circle{0.25}, {{3, 4}, {}});
+    const Distance d = distance(Circle{0.5}, {{3, 4}, {}}, Circle{0.25}, {{3, 4}, {}});
     CHECK(d.separation == -0.75);
     CHECK(d.normal == Vec2(0, 1));
 }
 
 TEST_CASE("a gap of 1/1024 m between boxes is the same 1,000,000 m from the origin", "[collide]") {
-    const Shape box = plumb::boxPolygon({0.5, 0.5});
+    const Shape box = boxPolygon({0.5, 0.5});
     const Transform a{{1e6, -1e6}, turnBy(0.3)};
     const Vec2 up = a.rotation * Vec2(0, 1 + 1.0 / 1024);
     const Transform b{a.position + up, a.rotation};
@@ -198,7 +196,7 @@ TEST_CASE("a gap of 1/1024 m between boxes is the same 1,000,000 m from the orig
 TEST_CASE("moved or turned by a hair, shapes are as much nearer or farther at most, through contact", "[collide]") {
     // The gap is 1-Lipschitz in the shift, and in the angle times the farthest corner. A search for the time of impact
     // rests on it. 1,000 steps of 1e-3 to 1e-9 of the size along each of 180 ways.
-    plumb::Random random(11);
+    Random random(11);
     double worst = 0;
     for (int way = 0; way < 180; ++way) {
         Placed p = randomPlaced(random, kinds[static_cast<std::size_t>(way % 6)],

@@ -16,12 +16,8 @@
 using fine_stepping::Pair;
 using fine_stepping::referencePose;
 using fine_stepping::Verdict;
-using plumb::firstTouch;
-using plumb::Random;
-using plumb::Shape;
-using plumb::Sweep;
-using plumb::Touch;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -30,7 +26,7 @@ constexpr double touchTolerance = 1e-5;
 /// A chain now and then, of 2 to 4 segments, else one of the convex kinds.
 Shape anyShape(Random& random, double scale) {
     if (random.integer(0, 7) > 0) return randomShape(random, randomKind(random), scale);
-    plumb::Chain chain{.points = {randomVec2(random, scale)}, .closed = random.integer(0, 1) == 1};
+    Chain chain{.points = {randomVec2(random, scale)}, .closed = random.integer(0, 1) == 1};
     const int count = random.integer(3, 4);
     while (static_cast<int>(chain.points.size()) < count) {
         const Vec2 next = chain.points.back() + randomVec2(random, scale);
@@ -58,7 +54,7 @@ struct Swept {
 /// So that at some time within the step they are this far apart.
 void meetAt(Swept& s, double time, double gap) {
     for (int i = 0; i < 3; ++i) {
-        const plumb::Distance now = Pair(s.a, s.sweepA, s.b, s.sweepB).distanceAt(time);
+        const Distance now = Pair(s.a, s.sweepA, s.b, s.sweepB).distanceAt(time);
         s.sweepB.start += now.normal * (gap - now.separation);
     }
 }
@@ -73,7 +69,7 @@ Swept anySwept(Random& random) {
         const double time = random.uniform(0, 1), gap = how < 20 ? 0 : placements::powerOfTen(random, -7, -1);
         meetAt(s, time, random.integer(0, 1) == 0 ? gap : -gap);
         if (how % 10 == 0) {
-            const Vec2 along = plumb::perp(Pair(s.a, s.sweepA, s.b, s.sweepB).distanceAt(time).normal);
+            const Vec2 along = perp(Pair(s.a, s.sweepA, s.b, s.sweepB).distanceAt(time).normal);
             s.sweepB.start += s.sweepB.shift * time;
             s.sweepB.shift = s.sweepA.shift + along * scale * random.uniform(-3, 3);
             s.sweepB.start -= s.sweepB.shift * time;
@@ -92,8 +88,7 @@ struct TouchTally {
 
 /// The normal parts two pieces by as much as they are apart, and the point lies half way.
 bool isBetween(const Pair& pair, const Touch& touch) {
-    const plumb::Transform poseA = referencePose(pair.sweepA, touch.time),
-                           poseB = referencePose(pair.sweepB, touch.time);
+    const Transform poseA = referencePose(pair.sweepA, touch.time), poseB = referencePose(pair.sweepB, touch.time);
     const minkowski::Point normal = pointOf(touch.normal), point = pointOf(touch.point);
     for (const Shape& pieceA : pair.a)
         for (const Shape& pieceB : pair.b) {
@@ -148,7 +143,7 @@ std::string describePair(const Pair& pair, int index) {
 TEST_CASE("1,000,000 swept pairs touch where fine stepping says, none missed and none made up", "[collide][sweep]") {
     Random random(73);
     TouchTally tally;
-    const int count = plumb::test::cases(1'000'000);
+    const int count = cases(1'000'000);
     for (int i = 0; i < count; ++i) {
         const Swept s = anySwept(random);
         const Pair pair(s.a, s.sweepA, s.b, s.sweepB);
@@ -177,7 +172,7 @@ TEST_CASE("shapes that do not turn touch where a shape cast says, 20,000 times",
         Sweep sweepA = anySweep(random, 1), sweepB = anySweep(random, 1);
         sweepA.turn = sweepB.turn = 0;
         const Vec2 shift = sweepB.shift - sweepA.shift;
-        const auto cast = plumb::castShape(b, poseAt(sweepB, 0), shift, a, poseAt(sweepA, 0));
+        const auto cast = castShape(b, poseAt(sweepB, 0), shift, a, poseAt(sweepA, 0));
         const auto touch = firstTouch(a, sweepA, b, sweepB, 1e-7);
         INFO("case " << i);
         if (!cast) {
@@ -200,7 +195,7 @@ TEST_CASE("shapes that do not turn touch where a shape cast says, 20,000 times",
 
 TEST_CASE("a rod of 2 m that turns by half a turn meets a peg of 0.1 m, 1 m above its middle, at arccos 0.1",
           "[collide][sweep]") {
-    const Shape rod = plumb::Segment{{-2, 0}, {2, 0}}, peg = plumb::Circle{0.1};
+    const Shape rod = Segment{{-2, 0}, {2, 0}}, peg = Circle{0.1};
     const Sweep turning{.turn = std::numbers::pi}, still{.start = {0, 1}};
     const auto touch = firstTouch(rod, turning, peg, still);
     REQUIRE(touch);
@@ -210,15 +205,15 @@ TEST_CASE("a rod of 2 m that turns by half a turn meets a peg of 0.1 m, 1 m abov
     CHECK(touch->time * std::numbers::pi > angle - 1e-5 / 0.99);
     CHECK((touch->normal - Vec2(-std::sin(angle), std::cos(angle))).norm() < 2e-5);
     CHECK((touch->point - 0.995 * Vec2(std::cos(angle), std::sin(angle))).norm() < 2e-4);
-    CHECK_FALSE(firstTouch(rod, turning, plumb::Circle{0.1}, {.start = {0, 2.2}}));
+    CHECK_FALSE(firstTouch(rod, turning, Circle{0.1}, {.start = {0, 2.2}}));
 }
 
 TEST_CASE("a disc that circles ten times around a disc, 0.1 mm off, does not touch it, 4 um off it does",
           "[collide][sweep]") {
     const Sweep circling{.turn = 20 * std::numbers::pi}, still{};
-    const Shape around = plumb::Circle{0.5, {1.5, 0}};
-    CHECK_FALSE(firstTouch(plumb::Circle{0.9999}, still, around, circling));
-    const auto touch = firstTouch(plumb::Circle{0.999996}, still, around, circling);
+    const Shape around = Circle{0.5, {1.5, 0}};
+    CHECK_FALSE(firstTouch(Circle{0.9999}, still, around, circling));
+    const auto touch = firstTouch(Circle{0.999996}, still, around, circling);
     REQUIRE(touch);
     CHECK(touch->time == 0);
 }
@@ -226,13 +221,13 @@ TEST_CASE("a disc that circles ten times around a disc, 0.1 mm off, does not tou
 TEST_CASE("what overlaps at the start touches at 0, along the shortest way out, a chain at its deepest segment",
           "[collide][sweep]") {
     const Sweep still{}, moving{.start = {0.9, 0.2}, .shift = {5, 0}, .turn = 1};
-    const auto boxes = firstTouch(plumb::boxPolygon({0.5, 0.5}), still, plumb::boxPolygon({0.5, 0.5}), moving);
+    const auto boxes = firstTouch(boxPolygon({0.5, 0.5}), still, boxPolygon({0.5, 0.5}), moving);
     REQUIRE(boxes);
     CHECK(boxes->time == 0);
     CHECK(boxes->normal == Vec2(1, 0));
     CHECK(std::fabs(boxes->point.x() - 0.45) < 1e-15);
-    const Shape corner = plumb::Chain{.points = {{-4, 0}, {0, 0}, {0, 4}}};
-    const auto touch = firstTouch(corner, still, plumb::Circle{1}, {.start = {-0.2, 0.9}});
+    const Shape corner = Chain{.points = {{-4, 0}, {0, 0}, {0, 4}}};
+    const auto touch = firstTouch(corner, still, Circle{1}, {.start = {-0.2, 0.9}});
     REQUIRE(touch);
     CHECK(touch->time == 0);
     CHECK(touch->normal == Vec2(-1, 0));
@@ -241,9 +236,9 @@ TEST_CASE("what overlaps at the start touches at 0, along the shortest way out, 
 TEST_CASE("a way between two poses goes from the one to the other, by the shorter turn", "[collide][sweep]") {
     Random random(83);
     for (int i = 0; i < 1000; ++i) {
-        const plumb::Transform from{randomVec2(random, 9), turnBy(random.uniform(-9, 9))};
-        const plumb::Transform to{randomVec2(random, 9), turnBy(random.uniform(-9, 9))};
-        const Sweep sweep = plumb::sweepBetween(from, to, randomVec2(random, 2));
+        const Transform from{randomVec2(random, 9), turnBy(random.uniform(-9, 9))};
+        const Transform to{randomVec2(random, 9), turnBy(random.uniform(-9, 9))};
+        const Sweep sweep = sweepBetween(from, to, randomVec2(random, 2));
         for (const auto& [time, pose] : {std::pair{0.0, from}, std::pair{1.0, to}}) {
             const Vec2 place(1, 2);  // any point of the body
             // Some ten roundings of numbers up to 12.
@@ -254,17 +249,17 @@ TEST_CASE("a way between two poses goes from the one to the other, by the shorte
 }
 
 TEST_CASE("a sweep refuses what is not finite, and a tolerance that is not positive", "[collide][sweep]") {
-    const Shape disc = plumb::Circle{1};
+    const Shape disc = Circle{1};
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_WITH(firstTouch(disc, {.start = {nan, 0}}, disc, {}),
                       "firstTouch.sweepA.start: (nan, 0) is not finite");
     CHECK_THROWS_WITH(firstTouch(disc, {}, disc, {.turn = nan}), "firstTouch.sweepB.turn: nan is not finite");
     CHECK_THROWS_WITH(firstTouch(disc, {}, disc, {}, 0), "firstTouch.tolerance: 0 is not positive");
-    CHECK_THROWS_WITH(plumb::sweepBetween({{nan, 0}, {}}, {}), "sweepBetween.start: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(sweepBetween({{nan, 0}, {}}, {}), "sweepBetween.start: (nan, 0) is not finite");
 }
 
 TEST_CASE("a sweep of any numbers up to 1e75 ends, and larger ones are refused", "[collide][sweep]") {
-    const Shape box = plumb::boxPolygon({1, 1}), disc = plumb::Circle{1, {1, 0}};
+    const Shape box = boxPolygon({1, 1}), disc = Circle{1, {1, 0}};
     for (const double size : {1e-320, 1e12, 1e50, 1e75, 1.01e75, 1e160, 1.7e308})
         for (const Sweep& sweep :
              {Sweep{.start = {3, size}}, Sweep{.start = {3, 0}, .shift = {size, -size}},

@@ -12,22 +12,18 @@
 
 namespace {
 
-using plumb::Convex;
-using plumb::Manifold;
-using plumb::ManifoldPoint;
-using plumb::RelativePose;
-using plumb::Vec2f;
+using namespace plumb;
 
 Convex boxOf(double halfWidth, double halfHeight) {
-    return convexOf(plumb::boxPolygon({halfWidth, halfHeight}), {0, 0});
+    return convexOf(boxPolygon({halfWidth, halfHeight}), {0, 0});
 }
 
 Convex lineOf(double fromX, double toX) {
-    return convexOf(plumb::Segment{{fromX, 0}, {toX, 0}}, {0, 0});
+    return convexOf(Segment{{fromX, 0}, {toX, 0}}, {0, 0});
 }
 
 Convex capsuleOf(double halfLength, double radius) {
-    return convexOf(plumb::Capsule{{-halfLength, 0}, {halfLength, 0}, radius}, {0, 0});
+    return convexOf(Capsule{{-halfLength, 0}, {halfLength, 0}, radius}, {0, 0});
 }
 
 RelativePose at(double x, double y, double angle = 0) {
@@ -65,7 +61,7 @@ TEST_CASE("a segment pushes up what is above it and down what is below it", "[co
         CHECK(box.count == 2);
         CHECK(box.normal == Vec2f(0, static_cast<float>(side)));
         CHECK(std::fabs(box.points[0].separation + 0.05f) < noise);
-        const Manifold ball = manifold(lineOf(-5, 5), convexOf(plumb::Circle{0.5}, {0, 0}), at(0, side * 0.45), 0);
+        const Manifold ball = manifold(lineOf(-5, 5), convexOf(Circle{0.5}, {0, 0}), at(0, side * 0.45), 0);
         CHECK(ball.count == 1);
         CHECK(ball.normal == Vec2f(0, static_cast<float>(side)));
         CHECK(std::fabs(ball.points[0].separation + 0.05f) < noise);
@@ -130,7 +126,7 @@ TEST_CASE("a box on its like, trembling by 1e-6 m and 1e-4 rad, keeps its normal
           "[collide]") {
     // Tilted by 1e-4 over a shift of 0.25 m, the upper face does better than the lower by up to 2.5e-5 m: not by 1e-4.
     const Convex box = boxOf(0.5, 0.5);
-    plumb::Random random(1);
+    Random random(1);
     for (const double shift : {0.0, 0.25}) {
         const std::array<int, 2> features = featuresOf(manifold(box, box, at(shift, 1), 0.01f));
         CHECK(features[0] != features[1]);
@@ -147,7 +143,7 @@ TEST_CASE("a box on its like, trembling by 1e-6 m and 1e-4 rad, keeps its normal
 TEST_CASE("a box tilting by 1e-4 keeps its features on a floor of 10 m and of 1,000 m, whichever is A", "[collide]") {
     // The face of either may do for both; the points are the box's corners all the same.
     const Convex box = boxOf(0.5, 0.5);
-    plumb::Random random(2);
+    Random random(2);
     for (const double length : {10.0, 1000.0}) {
         const Convex floor = lineOf(-length / 2, length / 2);
         const std::array<int, 2> onFloor = featuresOf(manifold(floor, box, at(1, 0.5), 0.01f));
@@ -191,7 +187,7 @@ TEST_CASE("a box that tips over its corner from 1 to 89 degrees keeps that corne
 }
 
 TEST_CASE("a ball that rolls over a box's corner keeps its feature, and its normal turns without a jump", "[collide]") {
-    const Convex box = boxOf(1, 1), ball = convexOf(plumb::Circle{0.5}, {0, 0});
+    const Convex box = boxOf(1, 1), ball = convexOf(Circle{0.5}, {0, 0});
     const std::uint16_t feature = manifold(box, ball, at(0, 1.5), 0.01f).points[0].feature;
     Vec2f before(0, 1);
     for (int i = 0; i <= 1000; ++i) {
@@ -216,7 +212,7 @@ TEST_CASE("a box 400 m along a 1,000 m floor has its separation to 1e-6 m", "[co
 }
 
 TEST_CASE("a place that is not a number, or infinite, makes no contact", "[collide]") {
-    const std::array shapes{boxOf(1, 1), lineOf(-1, 1), capsuleOf(1, 0.1), convexOf(plumb::Circle{0.5}, {0, 0})};
+    const std::array shapes{boxOf(1, 1), lineOf(-1, 1), capsuleOf(1, 0.1), convexOf(Circle{0.5}, {0, 0})};
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         for (const Convex& a : shapes) {
             for (const Convex& b : shapes) {

@@ -10,10 +10,8 @@
 
 namespace {
 
-using plumb::Convex;
-using plumb::Manifold;
-using plumb::RelativePose;
-using plumb::Vec2f;
+using namespace plumb;
+using namespace plumb::test;
 
 Manifold manifoldOf(const Placement& p) {
     return manifold(p.a, p.b, p.bInA, p.margin);
@@ -75,9 +73,9 @@ struct ManifoldTally {
 };
 
 ManifoldTally tallyOfManifolds(Kind kindA, Kind kindB) {
-    plumb::Random random(1000 + 10 * static_cast<std::uint64_t>(kindA) + static_cast<std::uint64_t>(kindB));
+    Random random(1000 + 10 * static_cast<std::uint64_t>(kindA) + static_cast<std::uint64_t>(kindB));
     ManifoldTally tally;
-    for (int i = 0; i < plumb::test::allCases(10'000); ++i) {
+    for (int i = 0; i < allCases(10'000); ++i) {
         const Placement p = randomPlacement(random, kindA, kindB);
         const Known known = knownOf(p);
         const Manifold m = manifoldOf(p);
@@ -104,13 +102,13 @@ TEST_CASE("manifolds of 10,000 placements of each pair of shapes agree with the 
                            << " of two points, " << tally.favoured << " where A's edge was favoured, worst error "
                            << tally.worst << " of the size; first fault: " << tally.first);
             CHECK(tally.faults == 0);
-            CHECK(tally.contacts > plumb::test::allCases(4000));
+            CHECK(tally.contacts > allCases(4000));
         }
     }
 }
 
 TEST_CASE("a fault planted in a manifold is found, whatever it is", "[collide]") {
-    plumb::Random random(3);
+    Random random(3);
     int looked = 0, twoPoints = 0;
     int flipped = 0, turned = 0, deeper = 0, lifted = 0, missing = 0, beyond = 0, aside = 0, dropped = 0;
     while (looked < 2000) {
@@ -130,7 +128,7 @@ TEST_CASE("a fault planted in a manifold is found, whatever it is", "[collide]")
         };
         const float size = static_cast<float>(p.size);
         flipped += finds([](Manifold& w) { w.normal = -w.normal; });
-        turned += finds([](Manifold& w) { w.normal += 0.05f * plumb::perp(w.normal); });
+        turned += finds([](Manifold& w) { w.normal += 0.05f * perp(w.normal); });
         deeper += finds([&](Manifold& w) { w.points[0].separation -= 1e-3f * size; });
         lifted += finds([&](Manifold& w) { w.points[0].position += 1e-3f * size * w.normal; });
         missing += finds([](Manifold& w) { w.count = 0; });
@@ -141,7 +139,7 @@ TEST_CASE("a fault planted in a manifold is found, whatever it is", "[collide]")
         });
         if (m.count < 2) continue;
         ++twoPoints;
-        aside += finds([&](Manifold& w) { w.points[1].position += 1e-2f * size * plumb::perp(w.normal); });
+        aside += finds([&](Manifold& w) { w.points[1].position += 1e-2f * size * perp(w.normal); });
         dropped += finds([](Manifold& w) { w.count = 1; });
     }
     CHECK(flipped == looked);

@@ -15,11 +15,8 @@
 
 namespace {
 
-using plumb::firstTouch;
-using plumb::MovingCircle;
-using plumb::Random;
-using plumb::Touch;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 Vec2 somewhere(Random& random, double size) {
     const double x = random.uniform(-size, size);
@@ -48,7 +45,7 @@ int spend(MovingCircle& ball, std::span<const MovingCircle> posts, double step) 
         ball.position += ball.velocity * time;
         left -= time;
         if (!(left > 0)) break;
-        ball.velocity = plumb::impact({.velocity = ball.velocity, .inverseMass = 1}, {}, first->normal, {}).velocityA;
+        ball.velocity = impact({.velocity = ball.velocity, .inverseMass = 1}, {}, first->normal, {}).velocityA;
     }
     return hits;
 }
@@ -65,7 +62,7 @@ TEST_CASE("a circle of 1 m at 10 m/s touches one of 1 m at (8, 1) after .6267949
     CHECK((touch->normal - Vec2(std::sqrt(3) / 2, 0.5)).norm() < 1e-15);
     CHECK((touch->point - Vec2(8 - std::sqrt(3) / 2, 0.5)).norm() < 2e-15);
     // The swept capsule of the lecture: a ray at a circle of twice the radius.
-    const auto ray = plumb::castRay({0, 0}, {10, 0}, plumb::Circle{2}, {{8, 1}, {}});
+    const auto ray = castRay({0, 0}, {10, 0}, Circle{2}, {{8, 1}, {}});
     REQUIRE(ray);
     CHECK(std::fabs(touch->time - ray->fraction) < 5e-16);
 }
@@ -75,14 +72,14 @@ TEST_CASE("1,000,000 pairs of moving circles touch at the first time that they a
     Random random(107);
     int hits = 0, faults = 0;
     double worst = 0;
-    const int count = plumb::test::cases(1'000'000);
+    const int count = cases(1'000'000);
     for (int i = 0; i < count; ++i) {
         MovingCircle a{random.uniform(0, 2), somewhere(random, 10), somewhere(random, 5)};
         MovingCircle b{random.uniform(0, 2), somewhere(random, 10), somewhere(random, 5)};
         const Vec2 p = b.position - a.position, v = b.velocity - a.velocity;
         if (random.integer(0, 3) == 0)  // nearly past each other
-            b.position += plumb::perp(v) * ((a.radius + b.radius) * (1 + random.uniform(-1e-6, 1e-6)) / v.norm()) -
-                          plumb::perp(v) * (plumb::perp(v).dot(p) / v.dot(v));
+            b.position += perp(v) * ((a.radius + b.radius) * (1 + random.uniform(-1e-6, 1e-6)) / v.norm()) -
+                          perp(v) * (perp(v).dot(p) / v.dot(v));
         const std::optional<Touch> touch = firstTouch(a, b);
         // They are nearest when the way is at right angles to what is between them.
         const Vec2 place = b.position - a.position;

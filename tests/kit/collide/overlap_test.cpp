@@ -17,13 +17,8 @@ namespace {
 
 using minkowski::Gap;
 using minkowski::Outline;
-using plumb::overlap;
-using plumb::Overlap;
-using plumb::Random;
-using plumb::Shape;
-using plumb::Transform;
-using plumb::Vec2;
-using plumb::test::infinity;
+using namespace plumb;
+using namespace plumb::test;
 
 /// Null when the answer is right for two convex outlines.
 const char* faultOfOverlap(const Outline& a, const Outline& b, const std::optional<Overlap>& found, double tolerance,
@@ -49,7 +44,7 @@ const char* faultOfOverlap(const Outline& a, const Outline& b, const std::option
 
 TEST_CASE("two shapes overlap, and as deep, as the Minkowski difference says, 1,000,000 times", "[collide][overlap]") {
     Random random(89);
-    const int count = plumb::test::cases(1'000'000);
+    const int count = cases(1'000'000);
     int found = 0, faults = 0, lopsided = 0;
     double worst = 0;
     std::string first;
@@ -79,13 +74,13 @@ TEST_CASE("a chain is as deep as the deepest of its segments, 20,000 times", "[c
     Random random(97);
     int found = 0;
     for (int i = 0; i < 20'000; ++i) {
-        plumb::Chain chain;
+        Chain chain;
         for (int k = random.integer(2, 9); k > 0; --k) chain.points.push_back(randomVec2(random, 2));
         chain.closed = chain.points.size() > 2 && random.integer(0, 1) == 1;
         const Shape other = randomShape(random, randomKind(random), 0.5);
         const Transform pose{randomVec2(random, 2), turnBy(random.uniform(-3, 3))};
         double least = infinity;
-        for (const Shape& piece : plumb::piecesOf(chain))
+        for (const Shape& piece : piecesOf(chain))
             least = std::min(least, gapBetween(outlineOf(piece, {}), outlineOf(other, pose)).separation);
         const std::optional<Overlap> here = overlap(chain, {}, other, pose);
         INFO("case " << i);
@@ -100,7 +95,7 @@ TEST_CASE("a chain is as deep as the deepest of its segments, 20,000 times", "[c
 }
 
 TEST_CASE("two boxes of 1 m overlap at 0.9 m by 0.1 m, touch at 1 m, and not at 1.001 m", "[collide][overlap]") {
-    const Shape box = plumb::boxPolygon({0.5, 0.5});
+    const Shape box = boxPolygon({0.5, 0.5});
     const auto at = [&](double x) { return overlap(box, {}, box, {{x, 0.2}, {}}); };
     REQUIRE(at(0.9));
     CHECK(std::fabs(at(0.9)->depth - 0.1) < 1e-15);
@@ -112,7 +107,7 @@ TEST_CASE("two boxes of 1 m overlap at 0.9 m by 0.1 m, touch at 1 m, and not at 
 }
 
 TEST_CASE("what is not finite overlaps nothing", "[collide][overlap]") {
-    const Shape disc = plumb::Circle{1}, chain = plumb::Chain{.points = {{-1, 0}, {1, 0}}};
+    const Shape disc = Circle{1}, chain = Chain{.points = {{-1, 0}, {1, 0}}};
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinity})
         for (const Shape& shape : {disc, chain}) {
             CHECK_FALSE(overlap(shape, {{bad, 0}, {}}, disc, {}));

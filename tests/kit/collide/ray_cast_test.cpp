@@ -13,12 +13,8 @@ namespace {
 using casts::Case;
 using minkowski::Outline;
 using minkowski::Point;
-using plumb::CastPoint;
-using plumb::castRay;
-using plumb::Random;
-using plumb::Shape;
-using plumb::Transform;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 struct Ray {
     Vec2 from, to;
@@ -68,7 +64,7 @@ std::string describeRay(const Case& c, const Ray& ray, int index) {
 RayTally tallyOfRays(Kind kind) {
     Random random(3000 + static_cast<std::uint64_t>(kind));
     RayTally tally;
-    for (int i = 0; i < plumb::test::allCases(20'000); ++i) {
+    for (int i = 0; i < allCases(20'000); ++i) {
         const double scale = 0.05 * std::pow(100, random.uniform(0, 1));
         const Shape shape = randomShape(random, kind, scale);
         const bool square = random.integer(0, 3) == 0;
@@ -92,8 +88,8 @@ TEST_CASE("where 20,000 rays meet each shape is where the distance to it comes t
         INFO(nameOf(kind) << ": " << tally.hits << " hits, " << tally.inside << " from inside; " << tally.faults
                           << " faults, the first: " << tally.first);
         CHECK(tally.faults == 0);
-        CHECK(tally.hits > plumb::test::allCases(2000));
-        CHECK(tally.inside > plumb::test::allCases(10));
+        CHECK(tally.hits > allCases(2000));
+        CHECK(tally.inside > allCases(10));
     }
 }
 
@@ -126,19 +122,19 @@ TEST_CASE("a fault planted in a ray's hit is found in each of 500", "[collide]")
 }
 
 TEST_CASE("a ray of 10 m meets a box 4 m on at 0.4 of its way, and a circle 2 m on at 0.2", "[collide]") {
-    const std::optional<CastPoint> box = castRay({0, 0}, {10, 0}, plumb::boxPolygon({1, 1}), {{5, 0.5}, {}});
+    const std::optional<CastPoint> box = castRay({0, 0}, {10, 0}, boxPolygon({1, 1}), {{5, 0.5}, {}});
     REQUIRE(box);
     CHECK(box->fraction == 0.4);
     CHECK(box->point == Vec2(4, 0));
     CHECK(box->normal == Vec2(-1, 0));
-    const std::optional<CastPoint> circle = castRay({0, 0}, {10, 0}, plumb::Circle{0.5}, {{2.5, 0}, {}});
+    const std::optional<CastPoint> circle = castRay({0, 0}, {10, 0}, Circle{0.5}, {{2.5, 0}, {}});
     REQUIRE(circle);
     CHECK(circle->fraction == 0.2);
     CHECK(circle->normal == Vec2(-1, 0));
 }
 
 TEST_CASE("a ray that ends 0.001 m before a wall misses it, and one that ends on it meets it", "[collide]") {
-    const Shape wall = plumb::boxPolygon({1, 1});
+    const Shape wall = boxPolygon({1, 1});
     CHECK_FALSE(castRay({0, 0}, {3.999, 0}, wall, {{5, 0}, {}}));
     const std::optional<CastPoint> hit = castRay({0, 0}, {4, 0}, wall, {{5, 0}, {}});
     REQUIRE(hit);
@@ -146,7 +142,7 @@ TEST_CASE("a ray that ends 0.001 m before a wall misses it, and one that ends on
 }
 
 TEST_CASE("a ray from inside meets at 0, its normal against it, one that begins on an edge does too", "[collide]") {
-    const Shape box = plumb::boxPolygon({1, 1});
+    const Shape box = boxPolygon({1, 1});
     for (const Vec2& from : {Vec2(0.5, 0), Vec2(-1, 0), Vec2(1, 0)}) {
         const std::optional<CastPoint> hit = castRay(from, from + Vec2(3, 4), box, {});
         REQUIRE(hit);
@@ -160,7 +156,7 @@ TEST_CASE("a ray from inside meets at 0, its normal against it, one that begins 
 }
 
 TEST_CASE("a line is met from either side, along itself at its end, and not beyond its ends", "[collide]") {
-    const Shape line = plumb::Segment{{-1, 0}, {1, 0}};
+    const Shape line = Segment{{-1, 0}, {1, 0}};
     CHECK(castRay({0, 2}, {0, -2}, line, {})->normal == Vec2(0, 1));
     CHECK(castRay({0, -2}, {0, 2}, line, {})->normal == Vec2(0, -1));
     const std::optional<CastPoint> along = castRay({-3, 0}, {3, 0}, line, {});
@@ -177,7 +173,7 @@ TEST_CASE("no ray of 100,000 slips through a joint of a closed chain at which it
     int slipped = 0;
     for (int i = 0; i < 100'000; ++i) {
         const double height = random.uniform(0.1, 2), bend = random.uniform(-0.9, 0.9);
-        const plumb::Chain chain{{{-3, height}, {bend, height + bend}, {3, height}, {0, -5}}, true};
+        const Chain chain{{{-3, height}, {bend, height + bend}, {3, height}, {0, -5}}, true};
         const Transform pose{randomVec2(random, 1e3), turnBy(random.uniform(-3, 3))};
         const Vec2 joint = pose * chain.points[1], from = pose * Vec2(bend, -0.5 + 0.2 * bend);
         slipped += !castRay(from, from + 2 * (joint - from), chain, pose);
@@ -188,8 +184,8 @@ TEST_CASE("no ray of 100,000 slips through a joint of a closed chain at which it
 TEST_CASE("a chain is met where the first of its segments is, by 20,000 rays", "[collide]") {
     Random random(23);
     int faults = 0, hits = 0;
-    for (int i = 0; i < plumb::test::allCases(20'000); ++i) {
-        plumb::Chain chain;
+    for (int i = 0; i < allCases(20'000); ++i) {
+        Chain chain;
         for (int k = 0; k < 5; ++k) chain.points.push_back(randomVec2(random, 3));
         chain.closed = random.integer(0, 1) == 0;
         const Transform pose{randomVec2(random, 3), turnBy(random.uniform(-3, 3))};
@@ -199,7 +195,7 @@ TEST_CASE("a chain is met where the first of its segments is, by 20,000 rays", "
         int met = 0;
         const char* fault = nullptr;
         for (std::size_t k = 0; k + (chain.closed ? 0 : 1) < 5; ++k) {
-            Case c = rayCase(plumb::Segment{chain.points[k], chain.points[(k + 1) % 5]}, pose, ray);
+            Case c = rayCase(Segment{chain.points[k], chain.points[(k + 1) % 5]}, pose, ray);
             if (hit) met += casts::faultOf(c, hit) == nullptr;
             // Up to there, no other segment is met.
             if (hit) c.shift = c.shift * (hit->fraction - 1e-9);
@@ -208,5 +204,5 @@ TEST_CASE("a chain is met where the first of its segments is, by 20,000 rays", "
         faults += fault != nullptr || (hit && met == 0);
     }
     CHECK(faults == 0);
-    CHECK(hits > plumb::test::allCases(4000));
+    CHECK(hits > allCases(4000));
 }

@@ -12,12 +12,8 @@
 namespace {
 
 using casts::Case;
-using plumb::CastPoint;
-using plumb::castShape;
-using plumb::Random;
-using plumb::Shape;
-using plumb::Transform;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 struct Shifted {
     Shape moving, target;
@@ -98,18 +94,18 @@ CastTally tallyOfCasts(Kind moving, Kind target, int casts) {
 TEST_CASE("where 2,000 shifted shapes of each two kinds meet is where the Minkowski difference says", "[collide]") {
     for (const Kind moving : kinds) {
         for (const Kind target : kinds) {
-            const CastTally tally = tallyOfCasts(moving, target, plumb::test::allCases(2000));
+            const CastTally tally = tallyOfCasts(moving, target, allCases(2000));
             INFO(nameOf(moving) << " to " << nameOf(target) << ": " << tally.hits << " hits, " << tally.atStart
                                 << " at the start; " << tally.faults << " faults, the first: " << tally.first);
             CHECK(tally.faults == 0);
-            CHECK(tally.hits > plumb::test::allCases(500));
-            CHECK(tally.atStart > plumb::test::allCases(20));
+            CHECK(tally.hits > allCases(500));
+            CHECK(tally.atStart > allCases(20));
         }
     }
 }
 
 TEST_CASE("a box of 1 m shifted 10 m to a wall 4 m off stops at 0.4, flat on it", "[collide]") {
-    const Shape box = plumb::boxPolygon({0.5, 0.5}), wall = plumb::boxPolygon({0.5, 3});
+    const Shape box = boxPolygon({0.5, 0.5}), wall = boxPolygon({0.5, 3});
     const std::optional<CastPoint> hit = castShape(box, {{0, 0}, {}}, {10, 0}, wall, {{5, 0}, {}});
     REQUIRE(hit);
     CHECK(hit->fraction == 0.4);
@@ -121,7 +117,7 @@ TEST_CASE("a box of 1 m shifted 10 m to a wall 4 m off stops at 0.4, flat on it"
 }
 
 TEST_CASE("a corner that comes straight at a corner is met along the way", "[collide]") {
-    const Shape box = plumb::boxPolygon({1, 1});
+    const Shape box = boxPolygon({1, 1});
     const std::optional<CastPoint> hit = castShape(box, {{-4, -4}, {}}, {4, 4}, box, {});
     REQUIRE(hit);
     CHECK(std::fabs(hit->fraction - 0.5) < 1e-15);
@@ -130,7 +126,7 @@ TEST_CASE("a corner that comes straight at a corner is met along the way", "[col
 }
 
 TEST_CASE("a disc of 0.5 m that passes a disc of 0.5 m meets it at 0.999999 m and not at 1.000001 m", "[collide]") {
-    const Shape disc = plumb::Circle{0.5};
+    const Shape disc = Circle{0.5};
     CHECK(castShape(disc, {{-5, 0.999999}, {}}, {10, 0}, disc, {}));
     CHECK_FALSE(castShape(disc, {{-5, 1.000001}, {}}, {10, 0}, disc, {}));
 }
@@ -144,7 +140,7 @@ TEST_CASE("a cast shape without size is a ray, to the last places, 20,000 times"
         const Transform pose{randomVec2(random, 1), turnBy(random.uniform(-3, 3))};
         const Vec2 from = randomVec2(random, 4), to = randomVec2(random, 4);
         const std::optional<CastPoint> ray = castRay(from, to, shape, pose);
-        const std::optional<CastPoint> cast = castShape(plumb::Circle{0}, {from, {}}, to - from, shape, pose);
+        const std::optional<CastPoint> cast = castShape(Circle{0}, {from, {}}, to - from, shape, pose);
         differ += ray.has_value() != cast.has_value();
         if (!ray || !cast) continue;
         ++hits;
@@ -160,7 +156,7 @@ TEST_CASE("a chain meets, and is met, where the first of its segments is, 4,000 
     Random random(37);
     int differ = 0, hits = 0;
     for (int i = 0; i < 4000; ++i) {
-        plumb::Chain chain;
+        Chain chain;
         for (int k = 0; k < 4; ++k) chain.points.push_back(randomVec2(random, 2));
         const Transform chainPose{randomVec2(random, 2), turnBy(random.uniform(-3, 3))};
         const Shape other = randomShape(random, randomKind(random), 1);
@@ -173,7 +169,7 @@ TEST_CASE("a chain meets, and is met, where the first of its segments is, 4,000 
         };
         double first = 2;
         for (std::size_t k = 0; k < 3; ++k)
-            if (const std::optional<CastPoint> hit = castOf(plumb::Segment{chain.points[k], chain.points[k + 1]}))
+            if (const std::optional<CastPoint> hit = castOf(Segment{chain.points[k], chain.points[k + 1]}))
                 first = std::min(first, hit->fraction);
         const std::optional<CastPoint> hit = castOf(chain);
         differ += hit ? hit->fraction != first : first != 2;

@@ -9,11 +9,8 @@
 #include "cases.h"
 #include "catch.h"
 
-using plumb::Random;
-using plumb::Shape;
-using plumb::Sweep;
-using plumb::SweptShape;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -23,10 +20,10 @@ Vec2 randomVector(Random& random, double size) {
 
 Shape randomSweptShape(Random& random) {
     switch (random.integer(0, 3)) {
-        case 0: return plumb::Circle{random.uniform(0.05, 1), randomVector(random, 0.5)};
-        case 1: return plumb::boxPolygon({random.uniform(0.05, 2), random.uniform(0.01, 0.5)});
-        case 2: return plumb::Segment{randomVector(random, 2), randomVector(random, 2)};
-        default: return plumb::Capsule{randomVector(random, 1), randomVector(random, 1), random.uniform(0.05, 0.5)};
+        case 0: return Circle{random.uniform(0.05, 1), randomVector(random, 0.5)};
+        case 1: return boxPolygon({random.uniform(0.05, 2), random.uniform(0.01, 0.5)});
+        case 2: return Segment{randomVector(random, 2), randomVector(random, 2)};
+        default: return Capsule{randomVector(random, 1), randomVector(random, 1), random.uniform(0.05, 0.5)};
     }
 }
 
@@ -36,7 +33,7 @@ Sweep randomSweep(Random& random) {
 }
 
 double separationAt(const SweptShape& a, const SweptShape& b, double time) {
-    return plumb::distance(*a.shape, poseAt(a.sweep, time), *b.shape, poseAt(b.sweep, time)).separation;
+    return distance(*a.shape, poseAt(a.sweep, time), *b.shape, poseAt(b.sweep, time)).separation;
 }
 
 }  // namespace
@@ -45,13 +42,13 @@ TEST_CASE("a swept shape meets another when sampling ten thousand poses says so"
     constexpr int samples = 10000;
     Random random(11);
     int met = 0;
-    for (int round = 0; round < plumb::test::allCases(300); ++round) {
+    for (int round = 0; round < allCases(300); ++round) {
         INFO("round " << round);
         const Shape wall = randomSweptShape(random), shape = randomSweptShape(random);
         const SweptShape a{&wall, randomSweep(random), 0};
         const SweptShape b{&shape, randomSweep(random), 3.1};  // 2 sqrt(2) at most, and 0.2 sqrt(2) off the centre
         const double limit = random.uniform(-0.1, 0.1);
-        const std::optional<double> time = plumb::timeOfApproach(a, b, limit, 0);
+        const std::optional<double> time = timeOfApproach(a, b, limit, 0);
         int first = 0;
         while (first <= samples && separationAt(a, b, first / double(samples)) > limit) ++first;
         if (!time) {
@@ -64,19 +61,19 @@ TEST_CASE("a swept shape meets another when sampling ten thousand poses says so"
         CHECK(*time <= first / double(samples));
         if (*time > 0) CHECK(separationAt(a, b, *time) > limit - 1e-9);
     }
-    CHECK(met > plumb::test::allCases(50));
-    CHECK(met < plumb::test::allCases(290));
+    CHECK(met > allCases(50));
+    CHECK(met < allCases(290));
 }
 
 TEST_CASE("a disc at 3 m in a step meets a wall 1 m off after a third of the step", "[collide][sweep]") {
-    const Shape wall = plumb::Segment{{-5, 0}, {5, 0}};
-    const Shape disc = plumb::Circle{0.1};
+    const Shape wall = Segment{{-5, 0}, {5, 0}};
+    const Shape disc = Circle{0.1};
     Sweep sweep;
     sweep.start = {0, 1.1};
     sweep.shift = {2, -3};
-    const auto time = plumb::timeOfApproach({&wall, {}, 0}, {&disc, sweep, 0}, 0, 0);
+    const auto time = timeOfApproach({&wall, {}, 0}, {&disc, sweep, 0}, 0, 0);
     REQUIRE(time);
     CHECK(std::fabs(*time - 1.0 / 3) < 1e-5);
     sweep.shift = {2, 3};
-    CHECK_FALSE(plumb::timeOfApproach({&wall, {}, 0}, {&disc, sweep, 0}, 0, 0));
+    CHECK_FALSE(timeOfApproach({&wall, {}, 0}, {&disc, sweep, 0}, 0, 0));
 }

@@ -4,6 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "kit/dynamics/described_leaves.h"
+
 namespace plumb::test {
 
 namespace {
@@ -14,13 +16,9 @@ public:
     Writer() { out_.precision(17); }
     std::string text() const { return out_.str(); }
 
-    void operator()(const char* name, double value) { out_ << ' ' << name << '=' << value; }
-    void operator()(const char* name, const Vec2& v) { out_ << ' ' << name << "=(" << v.x() << ' ' << v.y() << ')'; }
-    void operator()(const char* name, const Spring& s) { (*this)(name, Vec2(s.stiffness, s.damping)); }
-    void operator()(const char* name, const Limit& l) { (*this)(name, Vec2(l.lower, l.upper)); }
-    template <class T>
-    void operator()(const char* name, const std::optional<T>& value) {
-        if (value) (*this)(name, *value);
+    void operator()(const std::string& name, double value) { out_ << ' ' << name << '=' << value; }
+    void operator()(const std::string& name, const Vec2& v) {
+        out_ << ' ' << name << "=(" << v.x() << ' ' << v.y() << ')';
     }
     void count(const char* name, std::uint64_t n) { out_ << ' ' << name << '=' << n; }
     void id(const char* name, std::uint32_t index, std::uint32_t generation) {
@@ -32,81 +30,34 @@ private:
     std::ostringstream out_;
 };
 
+/// All that a definition says of itself, but for rules, which are code, and tile maps.
 template <class Def>
-void writeDrive(Writer& write, const Def& d) {
-    if constexpr (requires { d.motorSpeed; }) write("motorSpeed", d.motorSpeed);
-    if constexpr (requires { d.maxMotorTorque; }) write("maxMotorTorque", d.maxMotorTorque);
-    if constexpr (requires { d.maxMotorForce; }) write("maxMotorForce", d.maxMotorForce);
-    if constexpr (requires { d.maxForce; }) write("maxForce", d.maxForce);
-    if constexpr (requires { d.maxTorque; }) write("maxTorque", d.maxTorque);
-    if constexpr (requires { d.velocity; }) write("velocity", d.velocity);
-    if constexpr (requires { d.angularVelocity; }) write("angularVelocity", d.angularVelocity);
-    if constexpr (requires { d.rate; }) write("rate", d.rate);
-    if constexpr (requires { d.offset; }) write("offset", d.offset);
-    if constexpr (requires { d.angle; }) write("angle", d.angle);
-    if constexpr (requires { d.target; }) write("target", d.target);
-}
-
-template <class Def>
-void writeHold(Writer& write, const Def& d) {
-    if constexpr (requires { d.limit; }) write("limit", d.limit);
-    if constexpr (requires { d.spring; }) write("spring", d.spring);
-    if constexpr (requires { d.bending; }) write("bending", d.bending);
-    if constexpr (requires { d.restAngle; }) write("restAngle", d.restAngle);
-    if constexpr (requires { d.restShift; }) write("restShift", d.restShift);
-    if constexpr (requires { d.length; }) write("length", d.length);
-    if constexpr (requires { d.minLength; }) write("lengths", Vec2(d.minLength, d.maxLength));
-    if constexpr (requires { d.ratio; }) write("ratio", d.ratio);
-    if constexpr (requires { d.collideConnected; }) write.count("collide", d.collideConnected);
-    if constexpr (requires { d.breaking; }) write("breaking", Vec2(d.breaking.force, d.breaking.torque));
-}
-
-template <class Def>
-void writeFrame(Writer& write, const Def& d) {
-    if constexpr (requires { d.anchor; }) write("anchor", d.anchor);
-    if constexpr (requires { d.anchorA; }) write("anchorA", d.anchorA);
-    if constexpr (requires { d.anchorB; }) write("anchorB", d.anchorB);
-    if constexpr (requires { d.groundA; }) write("groundA", d.groundA);
-    if constexpr (requires { d.groundB; }) write("groundB", d.groundB);
-    if constexpr (requires { d.axis; }) write("axis", d.axis);
+void writeDef(Writer& write, const Def& def) {
+    forEachLeaf(def, [&]<class T>(const std::string& name, const Member&, const T& value) {
+        if constexpr (std::is_arithmetic_v<T>) write(name, static_cast<double>(value));
+        if constexpr (std::is_enum_v<T>) write.count(name.c_str(), static_cast<std::uint64_t>(value));
+        if constexpr (std::is_same_v<T, Vec2>) write(name, value);
+        if constexpr (std::is_same_v<T, std::vector<Vec2>>)
+            for (const Vec2& point : value) write(name, point);
+        if constexpr (requires { value.generation; }) write.id(name.c_str(), value.index, value.generation);
+    });
 }
 
 void writeJoint(Writer& write, const JointView& joint) {
     write.line("joint");
     const JointDef def = joint.def();
     write.count("kind", def.index());
-    std::visit(
-        [&](const auto& d) {
-            writeFrame(write, d);
-            writeDrive(write, d);
-            writeHold(write, d);
-        },
-        def);
-    write("coordinate", joint.coordinate().value);
-    write("speed", joint.coordinate().speed);
+    std::visit([&](const auto& kind) { writeDef(write, kind); }, def);
+    write("coordinate", Vec2(joint.coordinate().value, joint.coordinate().speed));
     write("force", joint.reaction().force);
     write("torque", joint.reaction().torque);
-    write("error", joint.error());
-    write("angle error", joint.angleError());
+    write("error", Vec2(joint.error(), joint.angleError()));
 }
 
 void writeShape(Writer& write, const ShapeDef& def) {
     write.line("  shape");
     write.count("kind", def.shape.index());
-    const Aabb box = aabbOf(def.shape, {});
-    write("lower", box.lower);
-    write("upper", box.upper);
-    const Material& m = def.material;
-    write("material", Vec2(m.density, m.friction));
-    write("material", Vec2(m.restitution, m.rollingResistance));
-    write("surfaceSpeed", m.surfaceSpeed);
-    write.count("mix", static_cast<std::uint64_t>(m.frictionMix) * 8 + static_cast<std::uint64_t>(m.restitutionMix));
-    write.count("category", def.filter.category);
-    write.count("mask", def.filter.mask);
-    write("group", def.filter.group);
-    write.count("sensor", def.sensor);
-    write("oneWay", def.oneWay);
-    write.count("tag", def.tag);
+    writeDef(write, def);
 }
 
 void writeBody(Writer& write, const World& world, BodyId id) {

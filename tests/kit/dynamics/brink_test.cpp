@@ -12,17 +12,8 @@
 #include "kit/dynamics/sliders.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Contact;
-using plumb::Material;
-using plumb::Random;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::Slider;
-using plumb::test::sliderOf;
-using plumb::test::smooth;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -68,7 +59,7 @@ struct Fall {
 
 BrinkSlide slideOver(const Brink& brink, const Slider& slider, double speed, double gravity, const Fall& fall = {}) {
     World world({.gravity = {0, -gravity}, .sleeping = false});
-    world.add({.type = BodyType::Static, .shapes = {plumb::chain(brink.points, smooth)}});
+    world.add({.type = BodyType::Static, .shapes = {chain(brink.points, smooth)}});
     const double f = brink.forward, run = std::clamp(speed, 0.1, 20.0);
     const BodyId body = world.add({.position = {-f * run, slider.below + fall.height},
                                    .velocity = {f * speed, -fall.speed},
@@ -93,8 +84,8 @@ BrinkSlide slideOver(const Brink& brink, const Slider& slider, double speed, dou
 TEST_CASE("a disc of 40 cm at 1 m/s goes over the brink of a chain, and does not stop 75 mm before it",
           "[dynamics][chain]") {
     World world;
-    world.add({.type = BodyType::Static, .shapes = {plumb::chain({{2, -5}, {2, 0}, {0, 0}}, smooth)}});
-    const BodyId disc = world.add({.position = {0.6, 0.4}, .velocity = {1, 0}, .shapes = {plumb::circle(0.4, smooth)}});
+    world.add({.type = BodyType::Static, .shapes = {chain({{2, -5}, {2, 0}, {0, 0}}, smooth)}});
+    const BodyId disc = world.add({.position = {0.6, 0.4}, .velocity = {1, 0}, .shapes = {circle(0.4, smooth)}});
     for (int tick = 0; tick < 120; ++tick) {
         world.step(dt);
         REQUIRE(world.body(disc).velocity().x() > 1 - 1e-6);
@@ -105,7 +96,7 @@ TEST_CASE("a disc of 40 cm at 1 m/s goes over the brink of a chain, and does not
 
 TEST_CASE("10,000 slides over brinks of 45, 90 and 135 degrees at 0.1 to 100 m/s lose no speed and feel no drop",
           "[dynamics][chain]") {
-    for (int seed = 0; seed < plumb::test::cases(10'000); ++seed) {
+    for (int seed = 0; seed < cases(10'000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const double turn = 45 * degree * random.integer(1, 3);
         const Brink brink = randomBrink(random, turn);
@@ -124,7 +115,7 @@ TEST_CASE("10,000 slides over brinks of 45, 90 and 135 degrees at 0.1 to 100 m/s
 
 TEST_CASE("10,000 bodies that come down at 0 to 20 m/s near a brink go on over it as fast as they came",
           "[dynamics][chain]") {
-    for (int seed = 0; seed < plumb::test::cases(10'000); ++seed) {
+    for (int seed = 0; seed < cases(10'000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const double turn = 45 * degree * random.integer(1, 3);
         const Brink brink = randomBrink(random, turn);
@@ -144,7 +135,7 @@ namespace {
 
 bool crosses(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     const auto side = [](const Vec2& from, const Vec2& to, const Vec2& point) {
-        return plumb::cross(Vec2(to - from), Vec2(point - from)) > 0;
+        return cross(Vec2(to - from), Vec2(point - from)) > 0;
     };
     return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
 }
@@ -192,16 +183,16 @@ bool isBelow(const std::vector<Vec2>& line, const Vec2& point) {
 TEST_CASE("3,000 bodies at 0.1 to 100 m/s stay on their side of chains with brinks, hollows, barbs and overhangs",
           "[dynamics][chain]") {
     int sides[2] = {0, 0};
-    for (int seed = 0; seed < plumb::test::cases(3000); ++seed) {
+    for (int seed = 0; seed < cases(3000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const std::vector<Vec2> terrain = randomTerrain(random);
         World world({.gravity = {0, random.integer(-1, 1) * 9.81}});
-        world.add({.type = BodyType::Static, .shapes = {plumb::chain(terrain, smooth)}});
+        world.add({.type = BodyType::Static, .shapes = {chain(terrain, smooth)}});
         const Slider slider = brinkSlider(random);
         const double speed = std::pow(10, random.uniform(-1, 2)), angle = random.uniform(0, 2 * std::numbers::pi);
         const Vec2 at(random.uniform(-6, 6), random.uniform(-4, 4));
         const double turned = random.uniform(0, 2 * std::numbers::pi);
-        if (!world.overlapShape(slider.shape.shape, {at, plumb::Rot::fromAngle(turned)}).empty()) continue;
+        if (!world.overlapShape(slider.shape.shape, {at, Rot::fromAngle(turned)}).empty()) continue;
         const BodyId body = world.add({.position = at,
                                        .angle = turned,
                                        .velocity = speed * Vec2(std::cos(angle), std::sin(angle)),
@@ -214,6 +205,6 @@ TEST_CASE("3,000 bodies at 0.1 to 100 m/s stay on their side of chains with brin
             REQUIRE(isBelow(terrain, world.body(body).position()) == below);
         }
     }
-    CHECK(sides[0] > plumb::test::cases(500));
-    CHECK(sides[1] > plumb::test::cases(500));
+    CHECK(sides[0] > cases(500));
+    CHECK(sides[1] > cases(500));
 }

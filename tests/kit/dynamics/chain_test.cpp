@@ -7,14 +7,8 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyDef;
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Material;
-using plumb::ShapeDef;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::g;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -29,9 +23,9 @@ struct SlopeSlider {
 
 std::vector<SlopeSlider> slopeSliders() {
     const Material smooth{.friction = 0};
-    return {{"box", plumb::box({0.5, 0.5}, smooth), 0.5},
-            {"disc", plumb::circle(0.5, smooth), 0.5},
-            {"capsule", plumb::capsule({-0.5, 0}, {0.5, 0}, 0.25, smooth), 0.25}};
+    return {{"box", box({0.5, 0.5}, smooth), 0.5},
+            {"disc", circle(0.5, smooth), 0.5},
+            {"capsule", capsule({-0.5, 0}, {0.5, 0}, 0.25, smooth), 0.25}};
 }
 
 /// Points of a straight line that falls at an angle, from right to left as the ground of a scene runs.
@@ -44,10 +38,9 @@ std::vector<Vec2> lineOf(double tilt) {
 std::vector<ShapeDef> slopeGround(double tilt, bool chained) {
     const Material smooth{.friction = 0};
     const std::vector<Vec2> points = lineOf(tilt);
-    if (chained) return {plumb::chain(points, smooth)};
+    if (chained) return {chain(points, smooth)};
     std::vector<ShapeDef> ground;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        ground.push_back(plumb::segment(points[i], points[i + 1], smooth));
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) ground.push_back(segment(points[i], points[i + 1], smooth));
     return ground;
 }
 
@@ -107,7 +100,7 @@ TEST_CASE("a box, a disc and a capsule keep their energy to 4e-3 through a hollo
     for (const SlopeSlider& slider : slopeSliders()) {
         INFO(slider.name);
         World world({.gravity = {0, -g}});
-        world.add({.type = BodyType::Static, .shapes = {plumb::chain(points, {.friction = 0})}});
+        world.add({.type = BodyType::Static, .shapes = {chain(points, {.friction = 0})}});
         const double angle = -45 / radius;
         const Vec2 along(std::cos(angle), std::sin(angle));
         const double path = radius - slider.height;

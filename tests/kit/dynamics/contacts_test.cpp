@@ -7,22 +7,17 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Material;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::g;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
 /// A thing on a plane at 30 degrees: how far it strays in two seconds from sliding down with an acceleration.
-double inclineError(double acceleration, plumb::ShapeDef shape, const Material& material) {
+double inclineError(double acceleration, ShapeDef shape, const Material& material) {
     const double tilt = std::numbers::pi / 6;
     const Vec2 up(-std::sin(tilt), std::cos(tilt)), down(-std::cos(tilt), -std::sin(tilt));
     World world({.gravity = {0, -g}});
-    world.add(
-        {.type = BodyType::Static, .position = -0.5 * up, .angle = tilt, .shapes = {plumb::box({50, 0.5}, material)}});
+    world.add({.type = BodyType::Static, .position = -0.5 * up, .angle = tilt, .shapes = {box({50, 0.5}, material)}});
     shape.material = material;
     const BodyId body = world.add({.position = 0.5 * up, .angle = tilt, .shapes = {shape}});
     double worst = 0;
@@ -40,29 +35,28 @@ double inclineError(double acceleration, plumb::ShapeDef shape, const Material& 
 // Second order in the step: what is left is the depth to which a soft contact sags, here 0.04 mm, and what that takes
 // of a rolling radius of half a metre over a way of 6.5 m.
 TEST_CASE("a block with mu 0.3 slides down 30 degrees at 2.3563 m/s^2 within 0.1 mm", "[dynamics][law]") {
-    CHECK(inclineError(2.3562872367, plumb::box({0.5, 0.5}), {.friction = 0.3}) < 1e-4);
+    CHECK(inclineError(2.3562872367, box({0.5, 0.5}), {.friction = 0.3}) < 1e-4);
 }
 
 TEST_CASE("a block with mu 0.7 stays on 30 degrees within 0.1 mm", "[dynamics][law]") {
-    CHECK(inclineError(0, plumb::box({0.5, 0.5}), {.friction = 0.7}) < 1e-4);
+    CHECK(inclineError(0, box({0.5, 0.5}), {.friction = 0.7}) < 1e-4);
 }
 
 TEST_CASE("a disc rolls down 30 degrees at 3.27 m/s^2 within 0.2 mm", "[dynamics][law]") {
-    CHECK(inclineError(3.27, plumb::circle(0.5), {.friction = 0.8}) < 2e-4);
+    CHECK(inclineError(3.27, circle(0.5), {.friction = 0.8}) < 2e-4);
 }
 
 TEST_CASE("in a stack of ten 1 kg boxes the i-th contact from above carries i times 9.81 N", "[dynamics][law]") {
     World world({.gravity = {0, -g}});
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-10, 0}, {10, 0})}});
+    world.add({.type = BodyType::Static, .shapes = {segment({-10, 0}, {10, 0})}});
     std::vector<BodyId> boxes;
-    for (int i = 0; i < 10; ++i)
-        boxes.push_back(world.add({.position = {0, 0.5 + i}, .shapes = {plumb::box({0.5, 0.5})}}));
+    for (int i = 0; i < 10; ++i) boxes.push_back(world.add({.position = {0, 0.5 + i}, .shapes = {box({0.5, 0.5})}}));
     const auto check = [&] {
         for (int i = 0; i < 10; ++i) {
             double force = 0;
-            for (const plumb::Contact& contact : world.body(boxes[static_cast<std::size_t>(i)]).contacts()) {
+            for (const Contact& contact : world.body(boxes[static_cast<std::size_t>(i)]).contacts()) {
                 if (contact.shapeB.body != boxes[static_cast<std::size_t>(i)]) continue;
-                for (const plumb::ContactPoint& point : contact.points) force += point.normalForce;
+                for (const ContactPoint& point : contact.points) force += point.normalForce;
             }
             INFO("box " << i);
             CHECK(std::fabs(force - (10 - i) * g) < 0.02 * g);
@@ -75,10 +69,9 @@ TEST_CASE("in a stack of ten 1 kg boxes the i-th contact from above carries i ti
 
 TEST_CASE("ten boxes stand for a minute without sleep, 1 cm off at most, and sink 2 cm in all", "[dynamics]") {
     World world({.gravity = {0, -g}, .sleeping = false});
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-10, 0}, {10, 0})}});
+    world.add({.type = BodyType::Static, .shapes = {segment({-10, 0}, {10, 0})}});
     std::vector<BodyId> boxes;
-    for (int i = 0; i < 10; ++i)
-        boxes.push_back(world.add({.position = {0, 0.5 + i}, .shapes = {plumb::box({0.5, 0.5})}}));
+    for (int i = 0; i < 10; ++i) boxes.push_back(world.add({.position = {0, 0.5 + i}, .shapes = {box({0.5, 0.5})}}));
     for (int tick = 0; tick < 3600; ++tick) world.step(1.0 / 60);
     const Vec2 top = world.body(boxes[9]).position();
     CHECK(std::fabs(top.x()) < 1e-2);

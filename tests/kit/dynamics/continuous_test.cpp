@@ -13,15 +13,8 @@
 #include "catch.h"
 #include "numbers.h"
 
-using plumb::BodyDef;
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Random;
-using plumb::ShapeDef;
-using plumb::Transform;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::pi;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -36,34 +29,34 @@ struct Bullet {
     double extent = 0;
 };
 
-Bullet randomBullet(Random& random, const plumb::Material& material) {
+Bullet randomBullet(Random& random, const Material& material) {
     const double radius = spread(random, 1e-3, 0.5), size = std::max(radius, 4e-3);  // the thinnest is 2 mm thick
     const double thin = spread(random, 5e-3, 0.05);
     const double wide = size * random.uniform(0.3, 1);
     const std::vector<Vec2> triangle{{-size, -0.4 * size}, {0.8 * size, -0.5 * size}, {0.2 * size, 0.9 * size}};
     switch (random.integer(0, 6)) {
-        case 0: return {plumb::circle(radius, material), radius};
-        case 1: return {plumb::capsule({-size, 0}, {size, 0}, wide, material), size + wide};
+        case 0: return {circle(radius, material), radius};
+        case 1: return {capsule({-size, 0}, {size, 0}, wide, material), size + wide};
         case 2: return {plumb::box({size, wide}, material), size + wide};
         case 3: return {plumb::box({5, thin}, material), 5.1};
-        case 4: return {plumb::polygon(triangle, material), 2 * size};
-        case 5: return {plumb::roundedPolygon(triangle, 0.2 * size, material), 2 * size};
-        default: return {plumb::roundedBox({size, wide}, 0.3 * wide, material), size + 2 * wide};
+        case 4: return {polygon(triangle, material), 2 * size};
+        case 5: return {roundedPolygon(triangle, 0.2 * size, material), 2 * size};
+        default: return {roundedBox({size, wide}, 0.3 * wide, material), size + 2 * wide};
     }
 }
 
 constexpr double wallHalfLength = 600;
 
 /// A wall along x of its frame, through its origin; half a centimetre to either side where it has a thickness.
-ShapeDef randomWall(Random& random, const plumb::Material& material) {
+ShapeDef randomWall(Random& random, const Material& material) {
     const Vec2 left(-wallHalfLength, 0), right(wallHalfLength, 0);
     switch (random.integer(0, 2)) {
         case 0: return plumb::box({wallHalfLength, 0.005}, material);
-        case 1: return plumb::segment(left, right, material);
+        case 1: return segment(left, right, material);
         default: {
             std::vector<Vec2> points;
             for (int i = 0; i <= 24; ++i) points.push_back(left + (right - left) * (i / 24.0));
-            return plumb::chain(points, material);
+            return chain(points, material);
         }
     }
 }
@@ -104,11 +97,11 @@ Range randomRange(Random& random) {
     Range range;
     range.dt = randomStep(random);
     const bool gravity = random.integer(0, 1) == 1;
-    range.world.emplace(plumb::WorldDef{.gravity = {0, gravity ? -9.81 : 0}});
+    range.world.emplace(WorldDef{.gravity = {0, gravity ? -9.81 : 0}});
     const bool bouncy = random.integer(0, 1) == 1;
-    const plumb::Material material{.friction = random.uniform(0, 1), .restitution = bouncy ? random.uniform(0, 1) : 0};
+    const Material material{.friction = random.uniform(0, 1), .restitution = bouncy ? random.uniform(0, 1) : 0};
     const Transform pose{{random.uniform(-1e3, 1e3), random.uniform(-1e3, 1e3)},
-                         plumb::Rot::fromAngle(random.uniform(-pi, pi))};
+                         Rot::fromAngle(random.uniform(-pi, pi))};
     BodyDef wall{.type = BodyType::Static,
                  .position = pose.position,
                  .angle = pose.rotation.angle(),
@@ -160,7 +153,7 @@ double lowest(Range& range) {
 TEST_CASE("of 100,000 shots at walls of 1 cm and of no thickness, up to 1,000 m/s, none goes through",
           "[dynamics][bullets]") {
     int through = 0;
-    for (int seed = 0; seed < plumb::test::cases(100000); ++seed) {
+    for (int seed = 0; seed < cases(100000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         Range range = randomRange(random);
         if (lowest(range) > 0) continue;
@@ -174,10 +167,9 @@ TEST_CASE("a disc of 1 mm at 1,000 m/s stops at a chain at e = 0, and comes back
           "[dynamics][bullets]") {
     for (const double e : {0.0, 0.5}) {
         World world({.gravity = {0, 0}});
-        const plumb::Material material{.friction = 0, .restitution = e};
-        world.add({.type = BodyType::Static, .shapes = {plumb::chain({{20, 0}, {0, 0}, {-20, 0}}, material)}});
-        const BodyId disc =
-            world.add({.position = {1, 7}, .velocity = {0, -1000}, .shapes = {plumb::circle(1e-3, material)}});
+        const Material material{.friction = 0, .restitution = e};
+        world.add({.type = BodyType::Static, .shapes = {chain({{20, 0}, {0, 0}, {-20, 0}}, material)}});
+        const BodyId disc = world.add({.position = {1, 7}, .velocity = {0, -1000}, .shapes = {circle(1e-3, material)}});
         for (int tick = 0; tick < 3; ++tick) world.step(1.0 / 60);
         CHECK(std::fabs(world.body(disc).velocity().y() - 1000 * e) < 1e-3);
         if (e == 0) CHECK(std::fabs(world.body(disc).position().y() - 1e-3) < 1e-3);
@@ -200,13 +192,11 @@ TEST_CASE("a rod of 10 m at 1,000 rad/s that flies at a wall of 1 cm at 100 m/s 
 
 TEST_CASE("a kinematic wall at 200 m/s sweeps a resting disc along and leaves none behind", "[dynamics][bullets]") {
     World world({.gravity = {0, 0}});
-    const BodyId wall = world.add({.type = BodyType::Kinematic,
-                                   .position = {-2, 0},
-                                   .velocity = {200, 0},
-                                   .shapes = {plumb::segment({0, -5}, {0, 5})}});
+    const BodyId wall = world.add(
+        {.type = BodyType::Kinematic, .position = {-2, 0}, .velocity = {200, 0}, .shapes = {segment({0, -5}, {0, 5})}});
     std::vector<BodyId> discs;
     for (int i = 0; i < 5; ++i)
-        discs.push_back(world.add({.position = {1.3 * i, 0.5 * i - 1}, .shapes = {plumb::circle(0.02 + 0.03 * i)}}));
+        discs.push_back(world.add({.position = {1.3 * i, 0.5 * i - 1}, .shapes = {circle(0.02 + 0.03 * i)}}));
     for (int tick = 0; tick < 30; ++tick) {
         world.step(1.0 / 60);
         for (const BodyId disc : discs) CHECK(world.body(disc).position().x() > world.body(wall).position().x());
@@ -215,7 +205,7 @@ TEST_CASE("a kinematic wall at 200 m/s sweeps a resting disc along and leaves no
 
 TEST_CASE("what flies past a wall's end at 500 m/s is not stopped", "[dynamics][bullets]") {
     World world({.gravity = {0, 0}});
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-10, 0}, {0, 0})}});
+    world.add({.type = BodyType::Static, .shapes = {segment({-10, 0}, {0, 0})}});
     const BodyId box = world.add(
         {.position = {0.2, 30}, .velocity = {0, -500}, .angularVelocity = 40, .shapes = {plumb::box({0.1, 0.1})}});
     for (int tick = 0; tick < 12; ++tick) world.step(1.0 / 60);

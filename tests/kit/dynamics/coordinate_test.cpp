@@ -6,10 +6,7 @@
 #include <plumb/plumb.h>
 #include "catch.h"
 
-using plumb::BodyId;
-using plumb::JointId;
-using plumb::Vec2;
-using plumb::World;
+using namespace plumb;
 
 namespace {
 
@@ -22,18 +19,18 @@ struct Jointed {
 
 Jointed jointed() {
     Jointed j;
-    const BodyId a = j.a = j.world.add({.shapes = {plumb::circle(0.5)}});
-    const BodyId b = j.b = j.world.add({.position = {2, 0}, .shapes = {plumb::circle(0.5)}});
+    const BodyId a = j.a = j.world.add({.shapes = {circle(0.5)}});
+    const BodyId b = j.b = j.world.add({.position = {2, 0}, .shapes = {circle(0.5)}});
     const Vec2 middle(1, 0);
-    j.joints = {j.world.join(plumb::RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = middle}),
-                j.world.join(plumb::PrismaticJointDef{.bodyA = a, .bodyB = b, .anchor = middle, .axis = {3, 4}}),
-                j.world.join(plumb::DistanceJointDef{.bodyA = a, .bodyB = b, .anchorB = {2, 0}}),
-                j.world.join(plumb::WeldJointDef{.bodyA = a, .bodyB = b, .anchor = middle}),
-                j.world.join(plumb::WheelJointDef{.bodyA = a, .bodyB = b, .anchor = middle, .axis = {-3, 4}}),
-                j.world.join(plumb::PulleyJointDef{
-                    .bodyA = a, .bodyB = b, .groundA = {0, 3}, .groundB = {2, 3}, .anchorB = {2, 0}}),
-                j.world.join(plumb::MotorJointDef{.bodyA = a, .bodyB = b})};
-    j.joints.push_back(j.world.join(plumb::GearJointDef{.jointA = j.joints[0], .jointB = j.joints[1], .ratio = -1000}));
+    j.joints = {
+        j.world.join(RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = middle}),
+        j.world.join(PrismaticJointDef{.bodyA = a, .bodyB = b, .anchor = middle, .axis = {3, 4}}),
+        j.world.join(DistanceJointDef{.bodyA = a, .bodyB = b, .anchorB = {2, 0}}),
+        j.world.join(WeldJointDef{.bodyA = a, .bodyB = b, .anchor = middle}),
+        j.world.join(WheelJointDef{.bodyA = a, .bodyB = b, .anchor = middle, .axis = {-3, 4}}),
+        j.world.join(PulleyJointDef{.bodyA = a, .bodyB = b, .groundA = {0, 3}, .groundB = {2, 3}, .anchorB = {2, 0}}),
+        j.world.join(MotorJointDef{.bodyA = a, .bodyB = b})};
+    j.joints.push_back(j.world.join(GearJointDef{.jointA = j.joints[0], .jointB = j.joints[1], .ratio = -1000}));
     return j;
 }
 

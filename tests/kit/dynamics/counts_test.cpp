@@ -15,17 +15,14 @@
 #endif
 #endif
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::steps;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
 /// A floor and a pyramid of so many rows.
-std::vector<BodyId> addPyramid(World& world, int rows, const plumb::ShapeDef& shape) {
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-100, 0}, {100, 0})}});
+std::vector<BodyId> addPyramid(World& world, int rows, const ShapeDef& shape) {
+    world.add({.type = BodyType::Static, .shapes = {segment({-100, 0}, {100, 0})}});
     std::vector<BodyId> boxes;
     for (int row = 0; row < rows; ++row)
         for (int i = 0; i < rows - row; ++i)
@@ -38,14 +35,13 @@ std::vector<BodyId> addPyramid(World& world, int rows, const plumb::ShapeDef& sh
 TEST_CASE("a pyramid of three rows counts 7 bodies, 6 awake, 9 shapes, 9 touches, and none awake when it sleeps",
           "[dynamics][counts]") {
     World world;
-    const std::vector<BodyId> boxes = addPyramid(world, 3, plumb::box({0.5, 0.5}));
-    world.add(boxes[0], {.shape = plumb::Circle{.radius = 0.1}});
+    const std::vector<BodyId> boxes = addPyramid(world, 3, box({0.5, 0.5}));
+    world.add(boxes[0], {.shape = Circle{.radius = 0.1}});
     const BodyId path =
-        world.add({.type = BodyType::Static, .position = {50, 50}, .shapes = {plumb::chain({{0, 0}, {1, 0}, {2, 0}})}});
-    world.join(
-        plumb::DistanceJointDef{.bodyA = boxes[0], .bodyB = boxes[1], .anchorA = {0, 0.5}, .anchorB = {1.1, 0.5}});
+        world.add({.type = BodyType::Static, .position = {50, 50}, .shapes = {chain({{0, 0}, {1, 0}, {2, 0}})}});
+    world.join(DistanceJointDef{.bodyA = boxes[0], .bodyB = boxes[1], .anchorA = {0, 0.5}, .anchorB = {1.1, 0.5}});
     steps(world, 5);
-    plumb::WorldCounts counts = world.counts();
+    WorldCounts counts = world.counts();
     CHECK(counts.bodies == 8);
     CHECK(counts.awakeBodies == 6);
     CHECK(counts.shapes == 9);
@@ -67,18 +63,16 @@ TEST_CASE("a world with room for 1000 bodies takes them in without moving what i
     World world;
     world.reserve({.bodies = 1000, .shapes = 1000, .contacts = 4000});
     const std::size_t before = world.counts().bytes;
-    for (int i = 0; i < 1000; ++i)
-        world.add({.position = {i % 32 * 1.1, i / 32 * 1.1}, .shapes = {plumb::circle(0.5)}});
+    for (int i = 0; i < 1000; ++i) world.add({.position = {i % 32 * 1.1, i / 32 * 1.1}, .shapes = {circle(0.5)}});
     CHECK(world.counts().bytes - before <= 1000 * sizeof(std::uint32_t));  // each body's list of its one shape
     World small;
     CHECK(small.counts().bytes < before / 10);
-    CHECK_THROWS_WITH(world.reserve({.bodies = std::size_t{1} << 40}), plumb::test::containsText("Capacity.bodies: "));
+    CHECK_THROWS_WITH(world.reserve({.bodies = std::size_t{1} << 40}), containsText("Capacity.bodies: "));
 }
 
 #if defined(PLUMB_TEST_MALLOC_SAYS)
 // Where more memory is promised than there is, there is room.
 TEST_CASE("room for 4 billion of anything is made, or refused by name and number", "[dynamics][counts]") {
-    using plumb::Capacity;
     const std::size_t most = ~std::uint32_t{0} - std::size_t{1};
     const std::vector<std::pair<std::size_t Capacity::*, std::string>> fields{{&Capacity::bodies, "bodies"},
                                                                               {&Capacity::shapes, "shapes"},
@@ -86,7 +80,7 @@ TEST_CASE("room for 4 billion of anything is made, or refused by name and number
                                                                               {&Capacity::joints, "joints"}};
     for (const auto& [field, name] : fields) {
         World world;
-        const plumb::BodyId body = world.add({.shapes = {plumb::circle(0.5)}});
+        const BodyId body = world.add({.shapes = {circle(0.5)}});
         Capacity capacity;
         capacity.*field = most;
         std::string said;
@@ -113,9 +107,9 @@ std::size_t allocated() {
 
 // malloc adds 8 bytes to a block and rounds up to 16: most to the small lists of each body.
 TEST_CASE("the bytes that a world of 1275 bodies counts are what malloc gave it, within 5 %", "[dynamics][counts]") {
-    for (const plumb::ShapeDef& shape :
-         {plumb::box({0.5, 0.5}), plumb::circle(0.5),
-          plumb::polygon({{0.5, -0.5}, {0.5, 0.4}, {0.4, 0.5}, {-0.4, 0.5}, {-0.5, 0.4}, {-0.5, -0.5}})}) {
+    for (const ShapeDef& shape :
+         {box({0.5, 0.5}), circle(0.5),
+          polygon({{0.5, -0.5}, {0.5, 0.4}, {0.4, 0.5}, {-0.4, 0.5}, {-0.5, 0.4}, {-0.5, -0.5}})}) {
         const std::size_t before = allocated();
         World world;
         addPyramid(world, 50, shape);
@@ -130,10 +124,10 @@ TEST_CASE("the bytes that a world of 1275 bodies counts are what malloc gave it,
 
 TEST_CASE("each phase of a step takes time, and the phases are the whole", "[dynamics]") {
     World world;
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-20, 0}, {20, 0})}});
-    for (int i = 0; i < 30; ++i) world.add({.position = {-15.0 + i, 0.5}, .shapes = {plumb::box({0.4, 0.5})}});
+    world.add({.type = BodyType::Static, .shapes = {segment({-20, 0}, {20, 0})}});
+    for (int i = 0; i < 30; ++i) world.add({.position = {-15.0 + i, 0.5}, .shapes = {box({0.4, 0.5})}});
     for (int tick = 0; tick < 5; ++tick) world.step(1.0 / 60);
-    const plumb::StepProfile p = world.profile();
+    const StepProfile p = world.profile();
     for (const double phase : {p.pairs, p.collide, p.impacts, p.solve, p.finish}) CHECK(phase > 0);
     CHECK(std::fabs(p.pairs + p.collide + p.impacts + p.solve + p.finish - p.total) < 1e-9);
 }

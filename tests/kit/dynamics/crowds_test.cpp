@@ -11,12 +11,8 @@
 #include "catch.h"
 #include "kit/dynamics/worlds.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Material;
-using plumb::Random;
-using plumb::Vec2;
-using plumb::World;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -49,7 +45,7 @@ ElasticGas elasticGas() {
         const double way = random.uniform(0, 2 * pi);
         gas.discs.push_back(gas.world.add({.position = Vec2(i % columns + 0.5, i / columns + 0.5) * (width / columns),
                                            .velocity = {std::cos(way), std::sin(way)},
-                                           .shapes = {plumb::circle(radius, material)}}));
+                                           .shapes = {circle(radius, material)}}));
     }
     return gas;
 }
@@ -60,11 +56,11 @@ TEST_CASE("a gas of elastic discs that fills 40 % of its world loses no energy a
     ElasticGas gas = elasticGas();
     const double start = energyOfMotion(gas.world, gas.discs);
     std::size_t impacts = 0;
-    for (int tick = plumb::test::allCases(100 * 60); tick > 0; --tick) {
-        gas.world.step(plumb::test::dt);
+    for (int tick = allCases(100 * 60); tick > 0; --tick) {
+        gas.world.step(dt);
         impacts += gas.world.contactBegins().size();
     }
-    CHECK(impacts > static_cast<std::size_t>(plumb::test::allCases(100'000)));
+    CHECK(impacts > static_cast<std::size_t>(allCases(100'000)));
     CHECK(std::fabs(energyOfMotion(gas.world, gas.discs) / start - 1) < 1e-12);
     for (const BodyId disc : gas.discs) CHECK(gas.world.body(disc).angularVelocity() == 0);
 }
@@ -72,7 +68,7 @@ TEST_CASE("a gas of elastic discs that fills 40 % of its world loses no energy a
 TEST_CASE("elastic discs that fill 40 % of their world never overlap", "[dynamics][law]") {
     ElasticGas gas = elasticGas();
     for (int tick = 0; tick < 100; ++tick) {
-        gas.world.step(plumb::test::dt);
+        gas.world.step(dt);
         for (std::size_t i = 0; i < gas.discs.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {
                 const Vec2 a = gas.world.body(gas.discs[i]).position(), b = gas.world.body(gas.discs[j]).position();
@@ -86,7 +82,7 @@ TEST_CASE("elastic discs that fill 40 % of their world never overlap", "[dynamic
 TEST_CASE("a disc that a heavier one has hit does not fly through the next one", "[dynamics][law]") {
     constexpr int count = 6;
     Random random(11);
-    for (int run = plumb::test::cases(2000); run > 0; --run) {
+    for (int run = cases(2000); run > 0; --run) {
         World world({.gravity = {0, 0}, .sleeping = false});
         std::vector<BodyId> row;
         double x = 0;
@@ -96,7 +92,7 @@ TEST_CASE("a disc that a heavier one has hit does not fly through the next one",
             row.push_back(world.add(
                 {.position = {x, 0},
                  .velocity = {random.uniform(-speed, speed), 0},
-                 .shapes = {plumb::circle(
+                 .shapes = {circle(
                      radius, {.density = std::pow(10, random.uniform(-1.5, 1.5)), .friction = 0, .restitution = 1})}}));
             x += radius + random.uniform(0.01, 1);
         }
@@ -104,7 +100,7 @@ TEST_CASE("a disc that a heavier one has hit does not fly through the next one",
         Vec2 momentum(0, 0);
         for (const BodyId disc : row) momentum += world.body(disc).mass() * world.body(disc).velocity();
         for (int tick = 0; tick < 60; ++tick) {
-            world.step(plumb::test::dt);
+            world.step(dt);
             for (int i = 1; i < count; ++i) {
                 const auto at = static_cast<std::size_t>(i);
                 REQUIRE(world.body(row[at - 1]).position().x() < world.body(row[at]).position().x());
@@ -129,12 +125,12 @@ TEST_CASE("frictionless discs do not begin to spin when several impacts fall int
         const double way = i * 2.399963;
         discs.push_back(world.add({.position = {-4 + (i % 5) * 2.0, -3 + (i / 5) * 2.0},
                                    .velocity = {3 * std::cos(way), 3 * std::sin(way)},
-                                   .shapes = {plumb::circle(radius, slippery)}}));
+                                   .shapes = {circle(radius, slippery)}}));
     }
-    for (int tick = plumb::test::allCases(20'000); tick > 0; --tick) {
-        world.step(plumb::test::dt);
+    for (int tick = allCases(20'000); tick > 0; --tick) {
+        world.step(dt);
         for (const BodyId disc : discs) REQUIRE(world.body(disc).angularVelocity() == 0);
-        for (const plumb::ContactBegin& begin : world.contactBegins()) {
+        for (const ContactBegin& begin : world.contactBegins()) {
             const bool atWall = world.body(begin.shapeA.body).mass() == 0 || world.body(begin.shapeB.body).mass() == 0;
             if (atWall) REQUIRE(begin.normal.cwiseAbs().maxCoeff() > 1 - 1e-9);  // straight from a wall to the centre
         }
@@ -149,7 +145,7 @@ TEST_CASE("what bounces on a conveyor belt is carried by it", "[dynamics][law]")
                    .shapes = {plumb::box({100, 1}, {.friction = 0.2, .surfaceSpeed = 3})}});
         const BodyId box = world.add(
             {.position = {0, 1}, .shapes = {plumb::box({0.2, 0.2}, {.friction = 0.2, .restitution = restitution})}});
-        plumb::test::run(world, 3);
+        run(world, 3);
         CAPTURE(restitution);
         CHECK(std::fabs(std::fabs(world.body(box).velocity().x()) - 3) < 1e-3);
     }
@@ -157,12 +153,12 @@ TEST_CASE("what bounces on a conveyor belt is carried by it", "[dynamics][law]")
     World world({.gravity = {0, 0}});
     const Material belt{.friction = 0.2, .restitution = 0.5, .surfaceSpeed = 3};
     world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::box({100, 1}, belt)}});
-    const BodyId bouncing = world.add({.position = {0, 1}, .velocity = {0, -2}, .shapes = {plumb::circle(0.2, belt)}});
+    const BodyId bouncing = world.add({.position = {0, 1}, .velocity = {0, -2}, .shapes = {circle(0.2, belt)}});
     World still({.gravity = {0, -10}});
     still.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::box({100, 1}, belt)}});
-    const BodyId lying = still.add({.position = {0, 0.2}, .fixedRotation = true, .shapes = {plumb::circle(0.2, belt)}});
-    plumb::test::run(world, 1);
-    plumb::test::run(still, 1);
+    const BodyId lying = still.add({.position = {0, 0.2}, .fixedRotation = true, .shapes = {circle(0.2, belt)}});
+    run(world, 1);
+    run(still, 1);
     CHECK(std::fabs(std::fabs(world.body(bouncing).velocity().x()) - 0.2 * 1.5 * 2) < 1e-12);
     CHECK(world.body(bouncing).velocity().x() * still.body(lying).velocity().x() > 0);  // the same way
 }
@@ -171,18 +167,18 @@ TEST_CASE("a crowd that is made overlapping and then stirred stays within its wa
     constexpr double radius = 12, pi = std::numbers::pi;
     World world;
     std::vector<Vec2> ring;
-    for (int i = 0; i < 180; ++i) ring.push_back(plumb::Rot::fromAngle(pi * i / 90) * Vec2(radius, 0));
-    world.add({.type = BodyType::Static, .shapes = {plumb::loop(ring)}});
+    for (int i = 0; i < 180; ++i) ring.push_back(Rot::fromAngle(pi * i / 90) * Vec2(radius, 0));
+    world.add({.type = BodyType::Static, .shapes = {loop(ring)}});
     world.add({.type = BodyType::Kinematic, .angularVelocity = 12, .shapes = {plumb::box({0.4, 10}, {.friction = 0})}});
     const Material material{.density = 0.25, .friction = 0.1, .restitution = 0.1};
-    const plumb::ShapeDef kinds[] = {plumb::capsule({-0.25, 0}, {0.25, 0}, 0.25, material),
-                                     plumb::circle(0.35, material), plumb::box({0.35, 0.35}, material)};
+    const ShapeDef kinds[] = {capsule({-0.25, 0}, {0.25, 0}, 0.25, material), circle(0.35, material),
+                              plumb::box({0.35, 0.35}, material)};
     std::vector<BodyId> crowd;
     for (int i = 0; i < 900; ++i) {
         const Vec2 place = 0.4 * Vec2(i % 30 - 14.5, i / 30 - 14.5);
         crowd.push_back(world.add({.position = place, .shapes = {kinds[i % 3]}}));
     }
-    for (int tick = 0; tick < 120; ++tick) world.step(plumb::test::dt);
+    for (int tick = 0; tick < 120; ++tick) world.step(dt);
     for (const BodyId body : crowd) CHECK(world.body(body).position().norm() < radius);
 }
 
@@ -197,7 +193,7 @@ TEST_CASE("a crowd that comes to rest in a pit gains no energy", "[dynamics][law
     for (int i = 0; i < 150; ++i)
         crowd.push_back(
             world.add({.position = {-2.7 + 0.6 * (i % 10) + random.uniform(-0.04, 0.04), 1 + 0.6 * (i / 10)},
-                       .shapes = {i % 2 == 0 ? plumb::circle(0.25, bouncing) : plumb::box({0.25, 0.25}, bouncing)}}));
+                       .shapes = {i % 2 == 0 ? circle(0.25, bouncing) : plumb::box({0.25, 0.25}, bouncing)}}));
     const auto energy = [&] {
         double sum = energyOfMotion(world, crowd);
         for (const BodyId body : crowd) sum += world.body(body).mass() * 9.81 * world.body(body).position().y();
@@ -206,7 +202,7 @@ TEST_CASE("a crowd that comes to rest in a pit gains no energy", "[dynamics][law
     const double start = energy();
     double last = start;
     for (int tick = 0; tick < 300; ++tick) {
-        world.step(plumb::test::dt);
+        world.step(dt);
         const double now = energy();
         CHECK(now - last < 1e-4 * start);  // bodies that overlap are lifted
         last = now;

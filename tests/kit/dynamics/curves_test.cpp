@@ -11,14 +11,8 @@
 #include "kit/dynamics/chain_track.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Material;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::g;
-using plumb::test::TrackPath;
-using plumb::test::TrackPoint;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -69,15 +63,15 @@ struct Kept {
 
 /// A ball that starts at rest at this share of the path.
 Kept keptOn(const std::vector<Vec2>& line, double share, double rate) {
-    const TrackPath path = plumb::test::pathOver(line, ballRadius);
+    const TrackPath path = pathOver(line, ballRadius);
     const auto lower = [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); };
     const double lowest = std::min_element(path.points.begin(), path.points.end(), lower)->y();
     TrackPoint start{static_cast<std::size_t>(share * static_cast<double>(path.points.size())), 0, 0};
     start.way = 0.5 * (path.points[start.edge + 1] - path.points[start.edge]).norm();
     const Vec2 from = placeOn(path, start);
     World world;
-    world.add({.type = BodyType::Static, .shapes = {plumb::chain(line, {.friction = 0})}});
-    const BodyId ball = world.add({.position = from, .shapes = {plumb::circle(ballRadius, Material{.friction = 0})}});
+    world.add({.type = BodyType::Static, .shapes = {chain(line, {.friction = 0})}});
+    const BodyId ball = world.add({.position = from, .shapes = {circle(ballRadius, Material{.friction = 0})}});
     const double all = energyAt(from, 0, lowest);
     Kept kept;
     for (int t = 0; t < 10 * rate; ++t) {
@@ -94,10 +88,10 @@ Kept keptOn(const std::vector<Vec2>& line, double share, double rate) {
 /// The share of its energy that a ball has after 10 s if it rolls in a bowl from rest.
 double keptRolling(int segments, double radius, double rate) {
     World world;
-    world.add({.type = BodyType::Static, .shapes = {plumb::chain(bowlLine(segments, radius), {.friction = 1})}});
+    world.add({.type = BodyType::Static, .shapes = {chain(bowlLine(segments, radius), {.friction = 1})}});
     const double path = radius - 1.01 * ballRadius, angle = -0.5 * std::numbers::pi - 1;
     const Vec2 from = onCircle(path, angle);
-    const BodyId ball = world.add({.position = from, .shapes = {plumb::circle(ballRadius, Material{.friction = 1})}});
+    const BodyId ball = world.add({.position = from, .shapes = {circle(ballRadius, Material{.friction = 1})}});
     for (int t = 0; t < 10 * rate; ++t) world.step(1 / rate);
     const auto body = world.body(ball);
     const double spin = body.angularVelocity() * ballRadius;
@@ -107,12 +101,12 @@ double keptRolling(int segments, double radius, double rate) {
 
 /// Does a ball that starts at this height over the loop's lowest point, both for its centre, come over the top?
 bool passesLoop(int segments, double radius, double height, double rate) {
-    const TrackPath path = plumb::test::pathOver(loopLine(segments, radius), ballRadius);
+    const TrackPath path = pathOver(loopLine(segments, radius), ballRadius);
     const Vec2 along = (path.points[1] - path.points[0]).normalized();
     const Vec2 from = path.points[0] + along * ((path.points[0].y() - ballRadius - height) / -along.y());
     World world;
-    world.add({.type = BodyType::Static, .shapes = {plumb::chain(loopLine(segments, radius), {.friction = 0})}});
-    const BodyId ball = world.add({.position = from, .shapes = {plumb::circle(ballRadius, Material{.friction = 0})}});
+    world.add({.type = BodyType::Static, .shapes = {chain(loopLine(segments, radius), {.friction = 0})}});
+    const BodyId ball = world.add({.position = from, .shapes = {circle(ballRadius, Material{.friction = 0})}});
     for (int t = 0; t < 10 * rate; ++t) {
         world.step(1 / rate);
         const Vec2 at = (world.body(ball).position() - Vec2(0, radius)) / radius;
@@ -178,10 +172,10 @@ TEST_CASE("a ball rolls down a chain of collinear segments as down one segment",
         std::vector<Vec2> line;
         for (int i = 0; i <= segments; ++i) line.push_back({20.0 * i / segments, -5.0 * i / segments});
         World world;
-        world.add({.type = BodyType::Static, .shapes = {plumb::chain(line)}});
+        world.add({.type = BodyType::Static, .shapes = {chain(line)}});
         const Vec2 up = Vec2(5, 20).normalized();
         const Vec2 from = Vec2(1, -0.25) + ballRadius * up;
-        const BodyId ball = world.add({.position = from, .shapes = {plumb::circle(ballRadius)}});
+        const BodyId ball = world.add({.position = from, .shapes = {circle(ballRadius)}});
         for (int t = 0; t < 60; ++t) world.step(1.0 / 60);
         return world.body(ball).position();
     };

@@ -12,16 +12,8 @@
 #include "catch.h"
 #include "kit/dynamics/worlds.h"
 
-using plumb::BodyDef;
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Material;
-using plumb::Random;
-using plumb::ShapeDef;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::weightless;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -34,9 +26,9 @@ ShapeDef sensorOf(ShapeDef shape) {
 /// A disc, box or capsule of about this radius.
 ShapeDef someShape(Random& random, double radius, const Material& material) {
     const int kind = random.integer(0, 2);
-    if (kind == 0) return plumb::circle(radius, material);
-    if (kind == 1) return plumb::box({radius, radius * random.uniform(0.4, 1)}, material);
-    return plumb::capsule({-0.5 * radius, 0}, {0.5 * radius, 0}, 0.5 * radius, material);
+    if (kind == 0) return circle(radius, material);
+    if (kind == 1) return box({radius, radius * random.uniform(0.4, 1)}, material);
+    return capsule({-0.5 * radius, 0}, {0.5 * radius, 0}, 0.5 * radius, material);
 }
 
 /// One body that something moves fast in the step, and one that only passes or waits. One of the two has the sensor.
@@ -50,9 +42,9 @@ struct VisitScene {
 
 ShapeDef gateOf(Random& random, bool sensor) {
     const double thickness = random.integer(0, 1) == 0 ? 0.01 : random.uniform(0.05, 0.4);
-    ShapeDef shape = plumb::box({thickness, random.uniform(0.2, 0.9)});
-    if (random.integer(0, 2) == 0) shape = plumb::circle(random.uniform(0.02, 0.4));
-    if (random.integer(0, 2) == 0) shape = plumb::capsule({0, -0.5}, {0, 0.5}, std::max(thickness, 0.02));
+    ShapeDef shape = box({thickness, random.uniform(0.2, 0.9)});
+    if (random.integer(0, 2) == 0) shape = circle(random.uniform(0.02, 0.4));
+    if (random.integer(0, 2) == 0) shape = capsule({0, -0.5}, {0, 0.5}, std::max(thickness, 0.02));
     return sensor ? sensorOf(shape) : shape;
 }
 
@@ -66,22 +58,22 @@ void addStruck(VisitScene& scene, Random& random, const BodyDef& driven) {
     const double distance = random.uniform(0.45, 1.2);
     scene.world.add({.position = {-distance, random.uniform(-0.1, 0.1)},
                      .velocity = {speed, 0},
-                     .shapes = {plumb::circle(0.2, {.density = 5, .restitution = material.restitution})}});
+                     .shapes = {circle(0.2, {.density = 5, .restitution = material.restitution})}});
     scene.isStruck = true;
 }
 
 /// It lies on a floor and against a row of others, so the solver moves it.
 void addPressed(VisitScene& scene, Random& random, const BodyDef& driven) {
     scene.world.setGravity({0, -9.81});
-    scene.world.add({.type = BodyType::Static, .shapes = {plumb::segment({-20, -0.2}, {20, -0.2})}});
+    scene.world.add({.type = BodyType::Static, .shapes = {segment({-20, -0.2}, {20, -0.2})}});
     BodyDef def = driven;
     scene.driven = scene.world.add(def);
     const int row = random.integer(0, 2);
-    for (int i = 1; i <= row; ++i) scene.world.add({.position = {-0.4 * i, 0}, .shapes = {plumb::box({0.2, 0.2})}});
+    for (int i = 1; i <= row; ++i) scene.world.add({.position = {-0.4 * i, 0}, .shapes = {box({0.2, 0.2})}});
     for (int tick = 0; tick < 10; ++tick) scene.world.step(scene.dt);
     scene.world.add({.position = {-0.4 * row - 0.6, 0.02},
                      .velocity = {random.uniform(0.6, 2.5) / scene.dt, 0},
-                     .shapes = {plumb::box({0.19, 0.19}, {.density = 30, .restitution = random.uniform(0, 1)})}});
+                     .shapes = {box({0.19, 0.19}, {.density = 30, .restitution = random.uniform(0, 1)})}});
     scene.isStruck = true;
 }
 
@@ -90,19 +82,19 @@ void addPulled(VisitScene& scene, Random& random, const BodyDef& driven) {
     scene.driven = scene.world.add(driven);
     const double mass = scene.world.body(scene.driven).mass();
     if (random.integer(0, 1) == 0)
-        scene.world.join(plumb::PrismaticJointDef{.bodyA = ground,
-                                                  .bodyB = scene.driven,
-                                                  .anchor = {0, 0},
-                                                  .axis = {1, 0},
-                                                  .motorSpeed = random.uniform(0.5, 2.5) / scene.dt,
-                                                  .maxMotorForce = 1e9});
+        scene.world.join(PrismaticJointDef{.bodyA = ground,
+                                           .bodyB = scene.driven,
+                                           .anchor = {0, 0},
+                                           .axis = {1, 0},
+                                           .motorSpeed = random.uniform(0.5, 2.5) / scene.dt,
+                                           .maxMotorForce = 1e9});
     else
-        scene.world.join(plumb::DistanceJointDef{.bodyA = ground,
-                                                 .bodyB = scene.driven,
-                                                 .anchorA = {random.uniform(10, 60), 0},
-                                                 .anchorB = {0, 0},
-                                                 .length = 1,
-                                                 .spring = plumb::springOf(0.2 / scene.dt, 0.3, mass)});
+        scene.world.join(DistanceJointDef{.bodyA = ground,
+                                          .bodyB = scene.driven,
+                                          .anchorA = {random.uniform(10, 60), 0},
+                                          .anchorB = {0, 0},
+                                          .length = 1,
+                                          .spring = springOf(0.2 / scene.dt, 0.3, mass)});
 }
 
 void addPushed(VisitScene& scene, Random& random, const BodyDef& driven) {
@@ -110,7 +102,7 @@ void addPushed(VisitScene& scene, Random& random, const BodyDef& driven) {
     scene.world.add({.type = BodyType::Kinematic,
                      .position = {-random.uniform(0.5, 0.9), random.uniform(-0.1, 0.1)},
                      .velocity = {random.uniform(0.4, 2) / scene.dt, 0},
-                     .shapes = {plumb::box({0.2, 0.5}, {.restitution = random.uniform(0, 1)})}});
+                     .shapes = {box({0.2, 0.5}, {.restitution = random.uniform(0, 1)})}});
     scene.isStruck = true;
 }
 
@@ -134,7 +126,7 @@ VisitScene sceneOf(Random& random) {
     other.shapes.front().filter.category = 2;
     if (carries) other.shapes.front().filter.mask = 4;
     if (other.type == BodyType::Dynamic && !carries) {
-        other.shapes.push_back(plumb::circle(0.05));
+        other.shapes.push_back(circle(0.05));
         other.shapes.back().filter.mask = 0;
     }
     if (other.type != BodyType::Static && random.integer(0, 1) == 0) {
@@ -168,16 +160,16 @@ SeenPlace placeOfBody(const World& world, BodyId id) {
     return {body.position(), body.angle(), body.velocity(), body.angularVelocity()};
 }
 
-plumb::Transform between(const SeenPlace& from, const SeenPlace& to, double share) {
+Transform between(const SeenPlace& from, const SeenPlace& to, double share) {
     return {from.center + (to.center - from.center) * share,
-            plumb::Rot::fromAngle(from.angle + (to.angle - from.angle) * share)};
+            Rot::fromAngle(from.angle + (to.angle - from.angle) * share)};
 }
 
 /// Where a body was that rested, was struck at some time in the step, and has flown since.
-plumb::Transform sinceStruck(const SeenPlace& from, const SeenPlace& to, double left) {
+Transform sinceStruck(const SeenPlace& from, const SeenPlace& to, double left) {
     const double flight = to.velocity.norm() > 0 ? (to.center - from.center).norm() / to.velocity.norm() : 0;
     const double back = std::min(left, flight);
-    return {to.center - to.velocity * back, plumb::Rot::fromAngle(to.angle - to.spin * back)};
+    return {to.center - to.velocity * back, Rot::fromAngle(to.angle - to.spin * back)};
 }
 
 /// The least distance of two shapes on the way between the places of two steps, at 400 times [m]. A sensor that moves
@@ -189,21 +181,20 @@ struct Least {
 Least leastSeparation(const VisitScene& scene, const std::array<SeenPlace, 2>& driven,
                       const std::array<SeenPlace, 2>& other) {
     const auto shapeOf = [&](BodyId id, bool sensor) {
-        const std::vector<plumb::ShapeId> shapes = scene.world.body(id).shapes();
+        const std::vector<ShapeId> shapes = scene.world.body(id).shapes();
         const bool first = scene.world.shape(shapes.front()).sensor() == sensor;
         return scene.world.shape(first ? shapes.front() : shapes.back()).def().shape;
     };
     const bool carries = scene.world.shape(scene.world.body(scene.driven).shapes().back()).sensor();
-    const plumb::Shape own = shapeOf(scene.driven, carries), there = shapeOf(scene.other, !carries);
+    const Shape own = shapeOf(scene.driven, carries), there = shapeOf(scene.other, !carries);
     std::array<double, 2> least{1e9, 1e9};
     constexpr int samples = 400;
     for (int i = 0; i <= samples; ++i) {
         const double share = static_cast<double>(i) / samples;
-        const plumb::Transform at = between(other[0], other[1], share);
-        const std::array<plumb::Transform, 2> ways{between(driven[0], driven[1], share),
-                                                   scene.isStruck
-                                                       ? sinceStruck(driven[0], driven[1], (1 - share) * scene.dt)
-                                                       : between(driven[0], driven[1], share)};
+        const Transform at = between(other[0], other[1], share);
+        const std::array<Transform, 2> ways{between(driven[0], driven[1], share),
+                                            scene.isStruck ? sinceStruck(driven[0], driven[1], (1 - share) * scene.dt)
+                                                           : between(driven[0], driven[1], share)};
         for (std::size_t w = 0; w < 2; ++w)
             least[w] = std::min(least[w], plumb::distance(own, ways[w], there, at).separation);
     }
@@ -236,10 +227,8 @@ void check(VisitScene& scene, VisitTally& tally) {
         const auto isBoth = [&](BodyId a, BodyId b) {
             return (a == scene.driven && b == scene.other) || (b == scene.driven && a == scene.other);
         };
-        for (const plumb::SensorBegin& e : scene.world.sensorBegins())
-            began = began || isBoth(e.sensor.body, e.visitor.body);
-        for (const plumb::SensorEnd& e : scene.world.sensorEnds())
-            ended = ended || isBoth(e.sensor.body, e.visitor.body);
+        for (const SensorBegin& e : scene.world.sensorBegins()) began = began || isBoth(e.sensor.body, e.visitor.body);
+        for (const SensorEnd& e : scene.world.sensorEnds()) ended = ended || isBoth(e.sensor.body, e.visitor.body);
         const Least least = leastSeparation(scene, driven, other);
         const double moved = (driven[1].center - driven[0].center).norm() + (other[1].center - other[0].center).norm();
         const double sampling =
@@ -266,9 +255,9 @@ TEST_CASE("a resting ball that is struck and flies through a thin sensor in the 
           "[dynamics][sensor]") {
     World world = weightless();
     const Material elastic{.friction = 0, .restitution = 1};
-    const BodyId ball = world.add({.shapes = {plumb::circle(0.2, elastic)}});
-    world.add({.position = {-0.7, 0}, .velocity = {60, 0}, .shapes = {plumb::circle(0.2, elastic)}});
-    world.add({.type = BodyType::Static, .position = {0.27, 0}, .shapes = {sensorOf(plumb::box({0.05, 0.7}))}});
+    const BodyId ball = world.add({.shapes = {circle(0.2, elastic)}});
+    world.add({.position = {-0.7, 0}, .velocity = {60, 0}, .shapes = {circle(0.2, elastic)}});
+    world.add({.type = BodyType::Static, .position = {0.27, 0}, .shapes = {sensorOf(box({0.05, 0.7}))}});
     world.step(dt);
     REQUIRE(world.sensorBegins().size() == 1);
     CHECK(world.sensorBegins()[0].visitor.body == ball);
@@ -279,10 +268,10 @@ TEST_CASE("a resting ball that is struck and flies through a thin sensor in the 
 TEST_CASE("what was struck into a sensor ends its visit when the sensor is removed at once", "[dynamics][sensor]") {
     World world = weightless();
     const Material elastic{.friction = 0, .restitution = 1};
-    world.add({.shapes = {plumb::circle(0.2, elastic)}});
-    world.add({.position = {-0.7, 0}, .velocity = {60, 0}, .shapes = {plumb::circle(0.2, elastic)}});
+    world.add({.shapes = {circle(0.2, elastic)}});
+    world.add({.position = {-0.7, 0}, .velocity = {60, 0}, .shapes = {circle(0.2, elastic)}});
     const BodyId gate =
-        world.add({.type = BodyType::Static, .position = {1.5, 0}, .shapes = {sensorOf(plumb::box({1, 0.7}))}});
+        world.add({.type = BodyType::Static, .position = {1.5, 0}, .shapes = {sensorOf(box({1, 0.7}))}});
     world.step(dt);
     REQUIRE(world.sensorBegins().size() == 1);
     CHECK(world.sensorEnds().empty());

@@ -2,6 +2,7 @@
 // Which numbers, vectors, flags and names does a definition hold in the end, by its description?
 #pragma once
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -20,6 +21,10 @@ template <class T>
 inline constexpr bool isOptionalType = false;
 template <class T>
 inline constexpr bool isOptionalType<std::optional<T>> = true;
+
+/// What is said of the members of each definition, and of those that are members of it, by the definition's name.
+using Descriptions = std::map<std::string, std::vector<Member>>;
+Descriptions allDescriptions();
 
 /// Calls leaf(path, member, value) for each member that has none of its own; what an empty optional could hold is none.
 template <class Leaf>
@@ -51,10 +56,14 @@ void forEachLeaf(Def& def, Leaf&& leaf) {
     describe(def, LeafWalk<std::remove_reference_t<Leaf>>{leaf});
 }
 
-/// Puts something sound into all that a definition may go without, so that its leaves are all there.
+/// Puts something sound into all that a definition may go without, or only into what holds one leaf.
 struct Fill {
+    std::string only = {}, path = {};
+
     template <class T>
-    void operator()(const Member&, T& value) const {
+    void operator()(const Member& member, T& value) const {
+        const std::string name = path + member.name;
+        if (!only.empty() && only != name && !only.starts_with(name + ".") && !only.starts_with(name + "[")) return;
         if constexpr (std::is_same_v<T, std::optional<double>>) value = 1;
         if constexpr (std::is_same_v<T, std::optional<Vec2>>) value = Vec2(0, 1);
         if constexpr (std::is_same_v<T, std::optional<Limit>>) value = Limit{-1, 1};
@@ -62,23 +71,32 @@ struct Fill {
         if constexpr (std::is_same_v<T, std::optional<Mass>>) value = Mass{2, {0.25, 0}, 1};
         if constexpr (std::is_same_v<T, std::optional<Shape>>) value = Circle{2};
         if constexpr (isVariantType<T>) {
-            std::visit([&](auto& kind) { fill(kind); }, value);
+            std::visit([&](auto& kind) { fill(kind, name); }, value);
         } else if constexpr (std::is_same_v<T, std::vector<ShapeDef>>) {
-            for (ShapeDef& shape : value) fill(shape);
+            for (std::size_t i = 0; i < value.size(); ++i) fill(value[i], name + "[" + std::to_string(i) + "]");
         } else {
-            fill(value);
+            fill(value, name);
         }
     }
     template <class T>
-    void fill(T& value) const {
-        if constexpr (Described<T> && !std::is_same_v<T, TileMap>) describe(value, *this);
+    void fill(T& value, const std::string& name) const {
+        if constexpr (Described<T> && !std::is_same_v<T, TileMap>) describe(value, Fill{only, name + "."});
     }
 };
 
 template <class Def>
-Def filled(Def def) {
-    describe(def, Fill{});
+Def filled(Def def, const std::string& only = {}) {
+    describe(def, Fill{only});
     return def;
+}
+
+/// Of all that a definition can hold.
+template <class Def>
+std::vector<std::string> leavesOf(const Def& sound) {
+    std::vector<std::string> paths;
+    const Def all = filled(sound);
+    forEachLeaf(all, [&](const std::string& path, const auto&...) { paths.push_back(path); });
+    return paths;
 }
 
 /// A joint of any kind that a world takes, between two bodies or two joints: points that no two members share.

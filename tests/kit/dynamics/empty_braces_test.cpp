@@ -6,21 +6,21 @@
 
 #include "catch.h"
 
-using plumb::Vec2;
+using namespace plumb;
 
 TEST_CASE("empty braces for the definition of a world, a map, a clock or a grid mover are the default one",
           "[dynamics][symptom]") {
-    const plumb::World world({});
-    CHECK(world.gravity() == plumb::WorldDef{}.gravity);
-    CHECK(plumb::TileMap({}) == plumb::TileMap());
-    plumb::FixedClock clock({}), usual;
+    const World world({});
+    CHECK(world.gravity() == WorldDef{}.gravity);
+    CHECK(TileMap({}) == TileMap());
+    FixedClock clock({}), usual;
     CHECK(clock.advance(0.05).due == usual.advance(0.05).due);
-    CHECK(plumb::GridMover({}).cell() == plumb::GridMover().cell());
+    CHECK(GridMover({}).cell() == GridMover().cell());
 }
 
 TEST_CASE("a definition in braces, with one member or none, still makes a world", "[dynamics][symptom]") {
-    CHECK(plumb::World({.gravity = {0, -1}}).gravity() == Vec2(0, -1));
-    CHECK(plumb::World{{.gravity = {0, -2}}}.gravity() == Vec2(0, -2));
-    CHECK(plumb::World(plumb::WorldDef{}).gravity() == plumb::World().gravity());
-    CHECK(plumb::World(plumb::World({.gravity = {1, 0}})).gravity() == Vec2(1, 0));
+    CHECK(World({.gravity = {0, -1}}).gravity() == Vec2(0, -1));
+    CHECK(World{{.gravity = {0, -2}}}.gravity() == Vec2(0, -2));
+    CHECK(World(WorldDef{}).gravity() == World().gravity());
+    CHECK(World(World({.gravity = {1, 0}})).gravity() == Vec2(1, 0));
 }

@@ -14,9 +14,7 @@
 #include "kit/usual_world.h"
 
 using namespace plumb;
-using plumb::test::dt;
-using plumb::test::g;
-using plumb::test::run;
+using namespace plumb::test;
 
 namespace {
 

@@ -9,12 +9,8 @@
 #include "catch.h"
 #include "kit/dynamics/worlds.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Material;
-using plumb::Random;
-using plumb::Vec2;
-using plumb::World;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -32,14 +28,14 @@ std::vector<BodyId> addCrowd(World& world, const FarCrowd& crowd, const Vec2& at
     const double w = crowd.halfWidth, r = crowd.radius;
     world.add({.type = BodyType::Static,
                .position = at,
-               .shapes = {plumb::loop({{-w, -w}, {w, -w}, {w, w}, {-w, w}}, crowd.material)}});
+               .shapes = {loop({{-w, -w}, {w, -w}, {w, w}, {-w, w}}, crowd.material)}});
     const int columns = static_cast<int>(std::ceil(std::sqrt(crowd.count)));
     Random random(4);
     std::vector<BodyId> bodies;
     for (int i = 0; i < crowd.count; ++i) {
-        plumb::ShapeDef shape = plumb::circle(r, crowd.material);
-        if (i % crowd.kinds == 1) shape = plumb::box({r, 0.8 * r}, crowd.material);
-        if (i % crowd.kinds == 2) shape = plumb::capsule({-0.4 * r, 0}, {0.4 * r, 0}, 0.5 * r, crowd.material);
+        ShapeDef shape = circle(r, crowd.material);
+        if (i % crowd.kinds == 1) shape = box({r, 0.8 * r}, crowd.material);
+        if (i % crowd.kinds == 2) shape = capsule({-0.4 * r, 0}, {0.4 * r, 0}, 0.5 * r, crowd.material);
         const Vec2 cell(i % columns + 0.5, i / columns + 0.5);
         const double way = random.uniform(0, 2 * std::numbers::pi);
         bodies.push_back(world.add({.position = at - Vec2(w, w) + cell * (2 * w / columns),
@@ -65,15 +61,15 @@ int firstChange(const FarCrowd& group, const FarCrowd& far, const Vec2& gravity,
     const std::vector<BodyId> found = addCrowd(both, group, {0, 0});
     if (!farFirst) addCrowd(both, far, there);
     for (int step = 0; step < steps; ++step) {
-        alone.step(plumb::test::dt);
-        both.step(plumb::test::dt);
+        alone.step(dt);
+        both.step(dt);
         for (std::size_t i = 0; i < wanted.size(); ++i)
             if (!isSameMotion(alone, wanted[i], both, found[i])) return step;
     }
     return -1;
 }
 
-const Vec2 weightlessHere(0, 0), pullHere(0, -plumb::test::g);
+const Vec2 weightlessHere(0, 0), pullHere(0, -g);
 const Material elasticHere{.friction = 0, .restitution = 1};
 const FarCrowd pileOf60{.count = 60, .radius = 0.4, .speed = 1, .material = {.restitution = 0}};
 const FarCrowd bouncingCrowd{.material = {.friction = 0.3, .restitution = 0.7}};

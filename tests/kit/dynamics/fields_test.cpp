@@ -12,10 +12,7 @@
 #include "numbers.h"
 
 using namespace plumb;
-using plumb::test::dt;
-using plumb::test::pi;
-using plumb::test::run;
-using plumb::test::weightless;
+using namespace plumb::test;
 
 namespace {
 

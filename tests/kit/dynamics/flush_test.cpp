@@ -11,14 +11,8 @@
 #include "kit/usual_world.h"
 #include "numbers.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Material;
-using plumb::Rot;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::g;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -30,7 +24,7 @@ struct Slide {
     explicit Slide(unsigned seed) {
         std::mt19937 random(seed);
         const auto share = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
-        angle = 2 * plumb::test::pi * share();
+        angle = 2 * pi * share();
         size = 0.1 + 0.9 * share();
         radius = 0.1 + 0.9 * share();
         kind = static_cast<int>(6 * share());
@@ -41,18 +35,17 @@ struct Slide {
         gap = seed % 5 == 0 ? 1e-4 * share() : 0;
     }
     double height() const { return kind == 2 ? 0.5 * radius : kind == 3 ? 0.7 * radius : radius; }
-    plumb::ShapeDef shape() const {
+    ShapeDef shape() const {
         const Material material{.friction = friction, .restitution = restitution};
         const double r = radius, inner = 0.8 * radius;
         switch (kind) {
-            case 0: return plumb::box({r, r}, material);
-            case 1: return plumb::circle(r, material);
-            case 2: return plumb::capsule({-r, 0}, {r, 0}, 0.5 * r, material);
-            case 3: return plumb::box({r, 0.7 * r}, material);
-            case 4: return plumb::polygon({{-r, -r}, {r, -r}, {0.5 * r, r}}, material);
+            case 0: return box({r, r}, material);
+            case 1: return circle(r, material);
+            case 2: return capsule({-r, 0}, {r, 0}, 0.5 * r, material);
+            case 3: return box({r, 0.7 * r}, material);
+            case 4: return polygon({{-r, -r}, {r, -r}, {0.5 * r, r}}, material);
             default:
-                return {.shape = plumb::Polygon{{{-inner, -inner}, {inner, -inner}, {inner, inner}, {-inner, inner}},
-                                                0.2 * r},
+                return {.shape = Polygon{{{-inner, -inner}, {inner, -inner}, {inner, inner}, {-inner, inner}}, 0.2 * r},
                         .material = material};
         }
     }
@@ -74,19 +67,19 @@ void lay(World& world, const Slide& slide, Floor floor) {
         world.add({.type = BodyType::Static,
                    .position = place(middle, -slide.size),
                    .angle = slide.angle,
-                   .shapes = {plumb::box({half, slide.size}, top)}});
+                   .shapes = {box({half, slide.size}, top)}});
         return;
     }
     if (floor == Floor::Loose)
         world.add({.type = BodyType::Static,
                    .position = place(middle, -3 * slide.size),
                    .angle = slide.angle,
-                   .shapes = {plumb::box({half + 10, slide.size}, {.friction = 1})}});
+                   .shapes = {box({half + 10, slide.size}, {.friction = 1})}});
     for (int i = 0; i < boxesOfFloor; ++i)
         world.add({.type = floor == Floor::Loose ? BodyType::Dynamic : BodyType::Static,
                    .position = place((2 * slide.size + slide.gap) * i, -slide.size),
                    .angle = slide.angle,
-                   .shapes = {plumb::box({slide.size, slide.size}, top)}});
+                   .shapes = {box({slide.size, slide.size}, top)}});
 }
 
 /// What presses on the floor.
@@ -121,7 +114,7 @@ Ride rideOver(const Slide& slide, Floor floor, const Load& load = {}) {
 TEST_CASE("what slides over boxes laid flush goes on as over one box", "[dynamics][flush]") {
     for (const Floor floor : {Floor::Fixed, Floor::Loose}) {
         double worstWay = 0, worstHop = 0;
-        for (int seed = 0; seed < plumb::test::allCases(150); ++seed) {
+        for (int seed = 0; seed < allCases(150); ++seed) {
             const Slide slide(static_cast<unsigned>(seed));
             const Ride ride = rideOver(slide, floor), whole = rideOver(slide, Floor::Whole);
             INFO((floor == Floor::Loose ? "loose, " : "fixed, ") << "seed " << seed << ", kind " << slide.kind);
@@ -137,7 +130,7 @@ TEST_CASE("what slides over boxes laid flush goes on as over one box", "[dynamic
 
 TEST_CASE("nothing stops on boxes laid flush, at any gravity and step, and under a load", "[dynamics][flush]") {
     for (const Floor floor : {Floor::Fixed, Floor::Loose})
-        for (int seed = 0; seed < plumb::test::allCases(200); ++seed) {
+        for (int seed = 0; seed < allCases(200); ++seed) {
             Slide slide(static_cast<unsigned>(1000 + seed));
             std::mt19937 random(static_cast<unsigned>(seed));
             const auto share = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
@@ -160,9 +153,8 @@ TEST_CASE("a box that is pressed to a wall of boxes laid flush falls freely", "[
                 for (int i = 0; i < 60; ++i)
                     world.add({.type = BodyType::Static,
                                .position = {0.5, 1.5 - i},
-                               .shapes = {plumb::box({0.5, 0.5}, {.friction = 0})}});
-                const BodyId body =
-                    world.add({.position = {-0.25, 0}, .shapes = {plumb::box({0.25, 0.25}, {.friction = 0})}});
+                               .shapes = {box({0.5, 0.5}, {.friction = 0})}});
+                const BodyId body = world.add({.position = {-0.25, 0}, .shapes = {box({0.25, 0.25}, {.friction = 0})}});
                 const double weight = world.body(body).mass() * gravity;
                 double time = 0;
                 for (; 0.5 * gravity * time * time < 45; time += step) {
@@ -182,9 +174,9 @@ TEST_CASE("a step in a floor of boxes stops what slides against it", "[dynamics]
         for (int i = 0; i < 20; ++i)
             world.add({.type = BodyType::Static,
                        .position = {2.0 * i, i < 8 ? -1 : -1 + step},
-                       .shapes = {plumb::box({1, 1}, {.friction = 0})}});
+                       .shapes = {box({1, 1}, {.friction = 0})}});
         const BodyId body =
-            world.add({.position = {1, 0.4}, .velocity = {3, 0}, .shapes = {plumb::box({0.4, 0.4}, {.friction = 0})}});
+            world.add({.position = {1, 0.4}, .velocity = {3, 0}, .shapes = {box({0.4, 0.4}, {.friction = 0})}});
         for (int tick = 0; tick < 400; ++tick) world.step(dt);
         CHECK(world.body(body).position().x() < 15.01);
     }

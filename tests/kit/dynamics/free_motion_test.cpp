@@ -4,9 +4,7 @@
 #include <plumb/plumb.h>
 #include "catch.h"
 
-using plumb::BodyId;
-using plumb::Vec2;
-using plumb::World;
+using namespace plumb;
 
 namespace {
 
@@ -15,7 +13,7 @@ double throwError(double rate, double damping) {
     World world({.gravity = {0, -9.81}});
     const Vec2 start(0, 2), speed(8, 11);
     const BodyId ball =
-        world.add({.position = start, .velocity = speed, .linearDamping = damping, .shapes = {plumb::circle(0.1)}});
+        world.add({.position = start, .velocity = speed, .linearDamping = damping, .shapes = {circle(0.1)}});
     double worst = 0;
     for (int tick = 1; tick <= static_cast<int>(2 * rate); ++tick) {
         world.step(1 / rate);
@@ -65,7 +63,7 @@ TEST_CASE("a damped body under great acceleration comes as far in a step as the 
           "[dynamics][law]") {
     for (const double damping : {1e-3, 0.1, 1.0, 2.0, 2.99, 3.01, 10.0}) {
         World world({.gravity = {0, -1e6}});
-        const BodyId body = world.add({.linearDamping = damping, .shapes = {plumb::circle(0.1)}});
+        const BodyId body = world.add({.linearDamping = damping, .shapes = {circle(0.1)}});
         world.step(1.0 / 60);
         const double step = 1.0 / 60;
         const double way = -1e6 * step * step * wayShare(damping * step);
@@ -76,7 +74,7 @@ TEST_CASE("a damped body under great acceleration comes as far in a step as the 
 
 TEST_CASE("a free body turns at 2 rad/s through whole turns and keeps counting", "[dynamics][law]") {
     World world({.gravity = {0, 0}});
-    const BodyId body = world.add({.angularVelocity = 2, .shapes = {plumb::box({1, 0.5})}});
+    const BodyId body = world.add({.angularVelocity = 2, .shapes = {box({1, 0.5})}});
     for (int tick = 0; tick < 600; ++tick) world.step(1.0 / 60);
     CHECK(std::fabs(world.body(body).angle() - 20) < 1e-12);
     CHECK(std::fabs(world.body(body).pose().rotation.sin - std::sin(20.0)) < 1e-12);
@@ -84,7 +82,7 @@ TEST_CASE("a free body turns at 2 rad/s through whole turns and keeps counting",
 
 TEST_CASE("a force of 3 N on 2 kg over one second gives 1.5 m/s and 0.75 m, and then no more", "[dynamics][law]") {
     World world({.gravity = {0, 0}});
-    const BodyId body = world.add({.mass = plumb::Mass{2, {0, 0}, 1}, .shapes = {plumb::circle(0.5)}});
+    const BodyId body = world.add({.mass = Mass{2, {0, 0}, 1}, .shapes = {circle(0.5)}});
     for (int tick = 0; tick < 60; ++tick) {
         world.body(body).applyForce({3, 0});
         world.step(1.0 / 60);
@@ -97,8 +95,8 @@ TEST_CASE("a force of 3 N on 2 kg over one second gives 1.5 m/s and 0.75 m, and 
 
 TEST_CASE("a body passing a wall at one millimetre without touching it stays on its closed form", "[dynamics][law]") {
     World world({.gravity = {0, 0}});
-    world.add({.type = plumb::BodyType::Static, .shapes = {plumb::segment({-10, 0}, {10, 0})}});
-    const BodyId ball = world.add({.position = {-5, 0.501}, .velocity = {7, 0}, .shapes = {plumb::circle(0.5)}});
+    world.add({.type = BodyType::Static, .shapes = {segment({-10, 0}, {10, 0})}});
+    const BodyId ball = world.add({.position = {-5, 0.501}, .velocity = {7, 0}, .shapes = {circle(0.5)}});
     for (int tick = 0; tick < 60; ++tick) world.step(1.0 / 60);
     CHECK(world.body(ball).velocity() == Vec2(7, 0));
     CHECK(std::fabs(world.body(ball).position().x() - 2) < 1e-12);

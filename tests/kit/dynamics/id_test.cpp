@@ -8,10 +8,7 @@
 #include <plumb/plumb.h>
 #include "catch.h"
 
-using plumb::BodyId;
-using plumb::FieldId;
-using plumb::JointId;
-using plumb::ShapeId;
+using namespace plumb;
 
 namespace {
 
@@ -46,10 +43,10 @@ TEST_CASE("ids of bodies, joints, fields and shapes can be sorted and put into a
 }
 
 TEST_CASE("a world lists its bodies in the order of their ids", "[dynamics]") {
-    plumb::World world;
-    for (int i = 0; i < 20; ++i) world.add({.position = {3.0 * i, 0}, .shapes = {plumb::circle(1)}});
+    World world;
+    for (int i = 0; i < 20; ++i) world.add({.position = {3.0 * i, 0}, .shapes = {circle(1)}});
     world.remove(world.bodies()[7]);
-    world.add({.position = {0, 9}, .shapes = {plumb::circle(1)}});
+    world.add({.position = {0, 9}, .shapes = {circle(1)}});
     const std::vector<BodyId> bodies = world.bodies();
     CHECK(bodies.size() == 20);
     CHECK(std::is_sorted(bodies.begin(), bodies.end()));

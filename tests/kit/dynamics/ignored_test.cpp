@@ -6,11 +6,8 @@
 #include <plumb/plumb.h>
 #include "catch.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::ShapeId;
-using plumb::Vec2;
-using plumb::World;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -30,12 +27,11 @@ struct TankRange {
     BodyId tank, crate, wall;
 };
 
-TankRange tankRange(const plumb::WorldDef& def = {}) {
+TankRange tankRange(const WorldDef& def = {}) {
     TankRange r{World(def), {}, {}, {}};
-    r.tank = r.world.add({.position = {0, 0},
-                          .shapes = {plumb::box({1, 0.5}), plumb::circle(0.4), plumb::capsule({0, 0}, {1.5, 0}, 0.1)}});
-    r.crate = r.world.add({.position = {5, 0}, .shapes = {plumb::box({0.5, 0.5})}});
-    r.wall = r.world.add({.type = BodyType::Static, .shapes = {plumb::chain({{9, 5}, {9, 1}, {9, -1}, {9, -5}})}});
+    r.tank = r.world.add({.position = {0, 0}, .shapes = {box({1, 0.5}), circle(0.4), capsule({0, 0}, {1.5, 0}, 0.1)}});
+    r.crate = r.world.add({.position = {5, 0}, .shapes = {box({0.5, 0.5})}});
+    r.wall = r.world.add({.type = BodyType::Static, .shapes = {chain({{9, 5}, {9, 1}, {9, -1}, {9, -5}})}});
     return r;
 }
 
@@ -62,7 +58,7 @@ TEST_CASE("a ray from within a tank of three shapes sees the crate in front of i
 
 TEST_CASE("a shape cast from within a tank sees the crate in front of it if the tank is ignored", "[dynamics]") {
     const TankRange r = tankRange();
-    const plumb::Shape disc = plumb::Circle{0.25};
+    const Shape disc = Circle{0.25};
     CHECK(r.world.castShape(disc, {}, {20, 0})->shape.body == r.tank);
     const auto seen = r.world.castShape(disc, {}, {20, 0}, {}, r.tank);
     REQUIRE(seen);
@@ -76,7 +72,7 @@ TEST_CASE("a shape cast from within a tank sees the crate in front of it if the 
 
 TEST_CASE("all images of an ignored body are left out in a world that wraps", "[dynamics]") {
     const TankRange r = tankRange({.wrap = {.width = 30}});
-    for (const plumb::CastHit& hit : r.world.castRayAll({0, 0}, {70, 0}, {}, r.tank)) CHECK(hit.shape.body != r.tank);
+    for (const CastHit& hit : r.world.castRayAll({0, 0}, {70, 0}, {}, r.tank)) CHECK(hit.shape.body != r.tank);
     CHECK(r.world.castRay({6, 0}, {31, 0}, {}, r.wall)->shape.body == r.tank);
     CHECK_FALSE(r.world.castRay({10, 0}, {33, 0}, {}, r.tank));
 }
@@ -84,21 +80,21 @@ TEST_CASE("all images of an ignored body are left out in a world that wraps", "[
 TEST_CASE("a body that was removed cannot be ignored by a cast", "[dynamics]") {
     TankRange r = tankRange();
     r.world.remove(r.crate);
-    const plumb::Shape disc = plumb::Circle{0.25};
+    const Shape disc = Circle{0.25};
     CHECK_THAT(complaintFrom([&] {
                    (void)r.world.castRay({0, 0}, {9, 0}, {}, r.crate);
                }),
-               plumb::test::containsText("World.castRay: ignored"));
+               containsText("World.castRay: ignored"));
     CHECK_THAT(complaintFrom([&] {
                    (void)r.world.castRayAll({0, 0}, {9, 0}, {}, r.crate);
                }),
-               plumb::test::containsText("World.castRayAll: ignored"));
+               containsText("World.castRayAll: ignored"));
     CHECK_THAT(complaintFrom([&] {
                    (void)r.world.castShape(disc, {}, {9, 0}, {}, r.crate);
                }),
-               plumb::test::containsText("World.castShape: ignored"));
+               containsText("World.castShape: ignored"));
     CHECK_THAT(complaintFrom([&] {
                    (void)r.world.castShapeAll(disc, {}, {9, 0}, {}, r.crate);
                }),
-               plumb::test::containsText("World.castShapeAll: ignored"));
+               containsText("World.castShapeAll: ignored"));
 }

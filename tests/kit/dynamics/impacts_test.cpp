@@ -7,19 +7,15 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Material;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::g;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
 World bouncingFloorWorld(double restitution) {
     World world({.gravity = {0, -g}});
     const Material material{.restitution = restitution};
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-50, 0}, {50, 0}, material)}});
+    world.add({.type = BodyType::Static, .shapes = {segment({-50, 0}, {50, 0}, material)}});
     return world;
 }
 
@@ -34,7 +30,7 @@ double apex(const World& world, BodyId body, double radius) {
 // Each bounce finds its time to 1e-12 m of height, and rounds a few times: far below the micrometre asked for.
 TEST_CASE("a ball dropped from 5 m at e = 1 returns to 5.000000 m twenty times", "[dynamics][law]") {
     World world = bouncingFloorWorld(1);
-    const BodyId ball = world.add({.position = {0, 5.5}, .shapes = {plumb::circle(0.5)}});
+    const BodyId ball = world.add({.position = {0, 5.5}, .shapes = {circle(0.5)}});
     int bounces = 0;
     for (int tick = 0; bounces < 20; ++tick) {
         REQUIRE(tick < 60 * 60);
@@ -46,7 +42,7 @@ TEST_CASE("a ball dropped from 5 m at e = 1 returns to 5.000000 m twenty times",
 
 TEST_CASE("a ball at e = 0.8 loses 36 % of its height at every bounce, and comes to rest", "[dynamics][law]") {
     World world = bouncingFloorWorld(0.8);
-    const BodyId ball = world.add({.position = {0, 1.5}, .shapes = {plumb::circle(0.5)}});
+    const BodyId ball = world.add({.position = {0, 1.5}, .shapes = {circle(0.5)}});
     double height = 1;
     for (int tick = 0; tick < 60 * 5; ++tick) {
         world.step(1.0 / 60);
@@ -63,8 +59,8 @@ TEST_CASE("a ball at e = 0.8 loses 36 % of its height at every bounce, and comes
 
 TEST_CASE("a touch at 0.9 m/s at e = 1 leaves the wall at 0.9 m/s", "[dynamics][law]") {
     World world({.gravity = {0, 0}});
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({0, -5}, {0, 5}, {.restitution = 1})}});
-    const BodyId ball = world.add({.position = {-1, 0}, .velocity = {0.9, 0}, .shapes = {plumb::circle(0.5)}});
+    world.add({.type = BodyType::Static, .shapes = {segment({0, -5}, {0, 5}, {.restitution = 1})}});
+    const BodyId ball = world.add({.position = {-1, 0}, .velocity = {0.9, 0}, .shapes = {circle(0.5)}});
     for (int tick = 0; tick < 120; ++tick) world.step(1.0 / 60);
     CHECK(std::fabs(world.body(ball).velocity().x() + 0.9) < 1e-12);
     CHECK(std::fabs(world.body(ball).position().x() - (-0.5 - 0.9 * (2 - 0.5 / 0.9))) < 1e-10);
@@ -72,8 +68,8 @@ TEST_CASE("a touch at 0.9 m/s at e = 1 leaves the wall at 0.9 m/s", "[dynamics][
 
 TEST_CASE("a wall sends back even 1 mm/s at e = 1", "[dynamics][law]") {
     World world({.gravity = {0, 0}});
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({0, -5}, {0, 5}, {.restitution = 1})}});
-    const BodyId ball = world.add({.position = {-0.501, 0}, .velocity = {0.001, 0}, .shapes = {plumb::circle(0.5)}});
+    world.add({.type = BodyType::Static, .shapes = {segment({0, -5}, {0, 5}, {.restitution = 1})}});
+    const BodyId ball = world.add({.position = {-0.501, 0}, .velocity = {0.001, 0}, .shapes = {circle(0.5)}});
     for (int tick = 0; tick < 180; ++tick) world.step(1.0 / 60);
     CHECK(std::fabs(world.body(ball).velocity().x() + 0.001) < 1e-12);
 }
@@ -87,10 +83,8 @@ TEST_CASE("discs of 2 kg and 1 kg head on at 3 and -1 m/s part as Newton's law s
         World world({.gravity = {0, 0}});
         const Material m{.friction = 0, .restitution = c.e};
         const auto disc = [&](double x, double v, double mass) {
-            return world.add({.position = {x, 0},
-                              .velocity = {v, 0},
-                              .mass = plumb::Mass{mass, {0, 0}, 1},
-                              .shapes = {plumb::circle(0.5, m)}});
+            return world.add(
+                {.position = {x, 0}, .velocity = {v, 0}, .mass = Mass{mass, {0, 0}, 1}, .shapes = {circle(0.5, m)}});
         };
         const BodyId a = disc(-2, 3, 2);
         const BodyId b = disc(2, -1, 1);
@@ -108,8 +102,8 @@ TEST_CASE("a disc at 4 m/s lands with slip on a floor: it sticks at mu 0.5 and s
     for (const Case& c : {Case{0.5, 8.0 / 3, -16.0 / 3}, Case{0.2, 3.1, -3.6}}) {
         World world({.gravity = {0, 0}});
         const Material m{.friction = c.friction, .restitution = 0.5};
-        world.add({.type = BodyType::Static, .shapes = {plumb::segment({-50, 0}, {50, 0}, m)}});
-        const BodyId disc = world.add({.position = {0, 1}, .velocity = {4, -3}, .shapes = {plumb::circle(0.5, m)}});
+        world.add({.type = BodyType::Static, .shapes = {segment({-50, 0}, {50, 0}, m)}});
+        const BodyId disc = world.add({.position = {0, 1}, .velocity = {4, -3}, .shapes = {circle(0.5, m)}});
         for (int tick = 0; tick < 30; ++tick) world.step(1.0 / 60);
         CHECK(std::fabs(world.body(disc).velocity().x() - c.vx) < 1e-12);
         CHECK(std::fabs(world.body(disc).velocity().y() - 1.5) < 1e-12);
@@ -120,7 +114,7 @@ TEST_CASE("a disc at 4 m/s lands with slip on a floor: it sticks at mu 0.5 and s
 TEST_CASE("a box that lands flat at e = 0.5 leaves flat at half its speed", "[dynamics][law]") {
     World world({.gravity = {0, 0}});
     const Material m{.friction = 0.6, .restitution = 0.5};
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-50, 0}, {50, 0}, m)}});
+    world.add({.type = BodyType::Static, .shapes = {segment({-50, 0}, {50, 0}, m)}});
     const BodyId box = world.add({.position = {0, 2}, .velocity = {0, -3}, .shapes = {plumb::box({1, 0.5}, m)}});
     for (int tick = 0; tick < 60; ++tick) world.step(1.0 / 60);
     // the two corners stand where float arithmetic puts them: 1e-7 of a metre of arm
@@ -132,11 +126,10 @@ TEST_CASE("twenty elastic discs in a box keep their energy to 1e-9 over a minute
     World world({.gravity = {0, 0}});
     const Material m{.friction = 0, .restitution = 1};
     const double side = 5;
-    world.add(
-        {.type = BodyType::Static,
-         .shapes = {plumb::segment({-side, -side}, {side, -side}, m), plumb::segment({side, -side}, {side, side}, m),
-                    plumb::segment({side, side}, {-side, side}, m), plumb::segment({-side, side}, {-side, -side}, m)}});
-    plumb::Random random(7);
+    world.add({.type = BodyType::Static,
+               .shapes = {segment({-side, -side}, {side, -side}, m), segment({side, -side}, {side, side}, m),
+                          segment({side, side}, {-side, side}, m), segment({-side, side}, {-side, -side}, m)}});
+    Random random(7);
     std::vector<BodyId> discs;
     double before = 0;
     for (int i = 0; i < 20; ++i) {
@@ -144,7 +137,7 @@ TEST_CASE("twenty elastic discs in a box keep their energy to 1e-9 over a minute
         before += velocity.squaredNorm();
         discs.push_back(world.add({.position = Vec2(-4.0 + 2 * (i % 5), -3.5 + 2 * (i / 5)),
                                    .velocity = velocity,
-                                   .shapes = {plumb::circle(0.3, m)}}));
+                                   .shapes = {circle(0.3, m)}}));
     }
     std::size_t hits = 0;
     for (int tick = 0; tick < 3600; ++tick) {
@@ -166,12 +159,12 @@ TEST_CASE(
     "[dynamics][law]") {
     for (const double speed : {30.0, 60.0, 120.0}) {
         World world({.gravity = {0, 0}});
-        const Material elastic{.friction = 0, .restitution = 1, .restitutionMix = plumb::Mix::Minimum};
-        const Material dead{.density = 50, .friction = 0, .restitutionMix = plumb::Mix::Minimum};
-        world.add({.type = BodyType::Static, .shapes = {plumb::segment({0, -5}, {0, 5}, elastic)}});
+        const Material elastic{.friction = 0, .restitution = 1, .restitutionMix = Mix::Minimum};
+        const Material dead{.density = 50, .friction = 0, .restitutionMix = Mix::Minimum};
+        world.add({.type = BodyType::Static, .shapes = {segment({0, -5}, {0, 5}, elastic)}});
         const BodyId plate = world.add({.position = {-0.5, 0}, .shapes = {plumb::box({0.01, 1}, dead)}});
         const BodyId ball =
-            world.add({.position = {-0.25, 0}, .velocity = {speed, 0}, .shapes = {plumb::circle(0.1, elastic)}});
+            world.add({.position = {-0.25, 0}, .velocity = {speed, 0}, .shapes = {circle(0.1, elastic)}});
         for (int tick = 0; tick < 4; ++tick) {
             world.step(1.0 / 60);
             CHECK(world.body(ball).position().x() > world.body(plate).position().x() + 0.11 - 1e-3);

@@ -8,12 +8,7 @@
 #include <plumb/plumb.h>
 #include "catch.h"
 #include "kit/usual_world.h"
-
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::JointId;
-using plumb::World;
-using plumb::test::dt;
+using namespace plumb::test;
 
 namespace {
 
@@ -25,7 +20,6 @@ struct Row {
     JointId hook, hinge, slide, rod, pull;
 
     Row() {
-        using namespace plumb;
         const BodyId fixed = world.add({.type = BodyType::Static});
         for (int i = 0; i < 5; ++i)
             body[i] = world.add({.position = {i, -0.1 * i}, .lockX = i == 4, .shapes = {box({0.2, 0.1 + 0.1 * i})}});
@@ -58,7 +52,6 @@ struct Row {
 
 TEST_CASE("joined bodies go on after a change of one of them as if all their joints had been set anew",
           "[dynamics][joints][editing]") {
-    using namespace plumb;
     const std::vector<std::pair<std::string, std::function<void(Row&)>>> changes{
         {"nothing", [](Row&) {}},
         {"spring", [](Row& r) { r.set<RevoluteJointDef>(r.hinge, [](auto& d) { d.spring->stiffness = 90; }); }},

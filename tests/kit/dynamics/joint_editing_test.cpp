@@ -8,17 +8,7 @@
 #include <plumb/plumb.h>
 #include "catch.h"
 #include "kit/usual_world.h"
-
-using plumb::BodyDef;
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::JointDef;
-using plumb::JointId;
-using plumb::Rot;
-using plumb::Transform;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
+using namespace plumb::test;
 
 namespace {
 
@@ -28,12 +18,12 @@ struct Place {
     Transform pose() const { return {position, Rot::fromAngle(angle)}; }
 };
 
-Vec2 pointIn(plumb::Random& random, double reach) {
+Vec2 pointIn(Random& random, double reach) {
     const double x = random.uniform(-reach, reach);
     return {x, random.uniform(-reach, reach)};
 }
 
-Place placeIn(plumb::Random& random) {
+Place placeIn(Random& random) {
     const Vec2 position = pointIn(random, 3);
     return {position, random.uniform(-3, 3)};
 }
@@ -59,7 +49,7 @@ struct JointSort {
     bool turns = true;  ///< whatever way it is turned is right
 };
 
-std::vector<JointSort> kindsBetween(BodyId a, BodyId b, const Place& atA, const Place& atB, plumb::Random& random) {
+std::vector<JointSort> kindsBetween(BodyId a, BodyId b, const Place& atA, const Place& atB, Random& random) {
     const Vec2 p = pointIn(random, 4), q = pointIn(random, 4), way = pointIn(random, 1) + Vec2(2, 0);
     const Vec2 groundA = pointIn(random, 5), groundB = pointIn(random, 5);
     const double ratio = random.uniform(0.5, 2);
@@ -68,7 +58,7 @@ std::vector<JointSort> kindsBetween(BodyId a, BodyId b, const Place& atA, const 
     const auto turn = [one](const Place& x, const Place& y) { return one.turn(x, y); };
     const auto along = [=](const Place& x, const Place& y) { return one.axis(x, way).dot(one.shift(x, y)); };
     const auto aside = [=](const Place& x, const Place& y) {
-        return std::fabs(plumb::cross(one.axis(x, way), one.shift(x, y)));
+        return std::fabs(cross(one.axis(x, way), one.shift(x, y)));
     };
     const auto length = [two](const Place& x, const Place& y) { return two.shift(x, y).norm(); };
     const auto rope = [=](const Place& x, const Place& y) {
@@ -82,7 +72,6 @@ std::vector<JointSort> kindsBetween(BodyId a, BodyId b, const Place& atA, const 
     const auto missed = [=](const Place&, const Place& y) {
         return (y.pose() * (atB.pose().inverse() * p) - q).norm();
     };
-    using namespace plumb;
     return {
         {"revolute", RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = p}, turn, gap},
         {"prismatic", PrismaticJointDef{.bodyA = a, .bodyB = b, .anchor = p, .axis = way}, along, aside, false},
@@ -105,7 +94,7 @@ std::vector<JointSort> kindsBetween(BodyId a, BodyId b, const Place& atA, const 
 }
 
 BodyDef bodyAt(const Place& place) {
-    return {.position = place.position, .angle = place.angle, .shapes = {plumb::circle(0.5), plumb::box({1, 0.2})}};
+    return {.position = place.position, .angle = place.angle, .shapes = {circle(0.5), box({1, 0.2})}};
 }
 
 Place moved(const Place& place, const Vec2& velocity, double spin, double time) {
@@ -116,7 +105,7 @@ Place moved(const Place& place, const Vec2& velocity, double spin, double time) 
 
 TEST_CASE("coordinate, speed and errors of each kind of joint are what 1,000 seeded pairs of poses say",
           "[dynamics][joints]") {
-    plumb::Random random(41);
+    Random random(41);
     double worstValue = 0, worstSpeed = 0, worstError = 0;
     for (int i = 0; i < 1000; ++i) {
         const Place atA = placeIn(random), atB = placeIn(random), toA = placeIn(random), toB = placeIn(random);
@@ -135,7 +124,7 @@ TEST_CASE("coordinate, speed and errors of each kind of joint are what 1,000 see
             const auto value = [&](double time) {
                 return kinds[k].coordinate(moved(toA, velocityA, spinA, time), moved(toB, velocityB, spinB, time));
             };
-            const plumb::JointView joint = world.joint(joints[k]);
+            const JointView joint = world.joint(joints[k]);
             worstValue = std::max(worstValue, std::fabs(joint.coordinate().value - value(0)));
             worstError = std::max(worstError, std::fabs(joint.error() - kinds[k].error(toA, toB)));
             const double turned = kinds[k].turns ? 0.0 : std::fabs((toB.angle - toA.angle) - (atB.angle - atA.angle));
@@ -156,8 +145,8 @@ TEST_CASE("coordinate, speed and errors of each kind of joint are what 1,000 see
 TEST_CASE("a hinge tells by how much it is beyond its limit", "[dynamics][joints]") {
     World world;
     const BodyId base = world.add({.type = BodyType::Static}), arm = world.add(bodyAt({{0, 0}, 0}));
-    const JointId hinge = world.join(
-        plumb::RevoluteJointDef{.bodyA = base, .bodyB = arm, .anchor = {0, 0}, .limit = plumb::Limit{-0.25, 0.5}});
+    const JointId hinge =
+        world.join(RevoluteJointDef{.bodyA = base, .bodyB = arm, .anchor = {0, 0}, .limit = Limit{-0.25, 0.5}});
     for (const auto& [angle, beyond] : {std::pair{0.4, 0.0}, {0.75, 0.25}, {-0.2, 0.0}, {-1.0, 0.75}}) {
         world.body(arm).setPose({0, 0}, angle);
         CHECK(std::fabs(world.joint(hinge).angleError() - beyond) < 1e-15);
@@ -165,20 +154,20 @@ TEST_CASE("a hinge tells by how much it is beyond its limit", "[dynamics][joints
 }
 
 TEST_CASE("a gear's coordinate is its joints', and its error is what it has slipped", "[dynamics][joints]") {
-    plumb::Random random(42);
+    Random random(42);
     for (int i = 0; i < 200; ++i) {
         World world({.gravity = {0, 0}});
         const BodyId base = world.add({.type = BodyType::Static});
         const BodyId a = world.add(bodyAt({{-2, 0}, 0})), b = world.add(bodyAt({{2, 0}, 0}));
-        const JointId first = world.join(plumb::RevoluteJointDef{.bodyA = base, .bodyB = a, .anchor = {-2, 0}});
-        const JointId second = world.join(plumb::PrismaticJointDef{.bodyA = base, .bodyB = b, .anchor = {2, 0}});
+        const JointId first = world.join(RevoluteJointDef{.bodyA = base, .bodyB = a, .anchor = {-2, 0}});
+        const JointId second = world.join(PrismaticJointDef{.bodyA = base, .bodyB = b, .anchor = {2, 0}});
         const double ratio = random.uniform(-3, 3), turn = random.uniform(-3, 3), shift = random.uniform(-1, 1);
-        const JointId gear = world.join(plumb::GearJointDef{.jointA = first, .jointB = second, .ratio = ratio});
+        const JointId gear = world.join(GearJointDef{.jointA = first, .jointB = second, .ratio = ratio});
         world.body(a).setPose({-2, 0}, turn);
         world.body(b).setPose({2 + shift, 0.1}, 0);
         world.body(a).setAngularVelocity(turn);
         world.body(b).setVelocity({shift, 5});
-        const plumb::JointView view = world.joint(gear);
+        const JointView view = world.joint(gear);
         CHECK(std::fabs(view.coordinate().value - (turn + ratio * shift)) < 1e-13);
         CHECK(std::fabs(view.coordinate().speed - (turn + ratio * shift)) < 1e-13);
         CHECK(std::fabs(view.error() - std::fabs(turn + ratio * shift)) < 1e-13);
@@ -195,13 +184,13 @@ TEST_CASE("a pendulum whose bob changes its mass, shapes or centre of mass hangs
             world.body(bob).setMass({2, {0.3, -0.2}, 0.5});
         },
         [](World& world, BodyId bob) {
-            world.add(bob, {.shape = plumb::Circle{.radius = 0.4, .center = {0.8, 0}}});
+            world.add(bob, {.shape = Circle{.radius = 0.4, .center = {0.8, 0}}});
         },
         [](World& world, BodyId bob) {
-            world.shape({bob, 1}).set(plumb::box({0.1, 0.9}));
+            world.shape({bob, 1}).set(box({0.1, 0.9}));
         },
         [](World& world, BodyId bob) {
-            world.remove(plumb::ShapeId{bob, 0});
+            world.remove(ShapeId{bob, 0});
         },
         [](World& world, BodyId bob) { world.body(bob).setFixedRotation(true); },
         [](World& world, BodyId bob) {
@@ -218,7 +207,7 @@ TEST_CASE("a pendulum whose bob changes its mass, shapes or centre of mass hangs
         INFO("edit " << i);
         World world;
         const BodyId wall = world.add({.type = BodyType::Static}), bob = world.add(bodyAt({{2, 0}, 0}));
-        const JointId hinge = world.join(plumb::RevoluteJointDef{.bodyA = wall, .bodyB = bob, .anchor = {0.5, 0}});
+        const JointId hinge = world.join(RevoluteJointDef{.bodyA = wall, .bodyB = bob, .anchor = {0.5, 0}});
         const Vec2 local(-1.5, 0);  // the hinge, in the bob's frame
         double worst = 0;
         for (int n = 0; n < 240; ++n) {
@@ -235,7 +224,7 @@ TEST_CASE("a chain link made static holds the rest up, made dynamic it falls wit
     World world;
     const BodyId upper = world.add(bodyAt({{0, 10}, 0})), lower = world.add(bodyAt({{0, 8}, 0}));
     const JointId rod =
-        world.join(plumb::DistanceJointDef{.bodyA = upper, .bodyB = lower, .anchorA = {0, 10}, .anchorB = {0, 8}});
+        world.join(DistanceJointDef{.bodyA = upper, .bodyB = lower, .anchorA = {0, 10}, .anchorB = {0, 8}});
     world.body(upper).setType(BodyType::Static);
     for (int i = 0; i < 60; ++i) world.step(dt);
     CHECK(std::fabs(world.body(lower).position().y() - 8) < 1e-3);
@@ -257,10 +246,10 @@ TEST_CASE("a body that is removed takes its joints and their gear along, and wha
     World world;
     const BodyId wall = world.add({.type = BodyType::Static}), arm = world.add(bodyAt({{0, 5}, 0}));
     const BodyId load = world.add(bodyAt({{5, 5}, 0})), other = world.add(bodyAt({{10, 5}, 0}));
-    const JointId hinge = world.join(plumb::RevoluteJointDef{.bodyA = wall, .bodyB = other, .anchor = {10, 5}});
-    const JointId slide = world.join(plumb::PrismaticJointDef{.bodyA = wall, .bodyB = arm, .anchor = {0, 5}});
-    const JointId weld = world.join(plumb::WeldJointDef{.bodyA = arm, .bodyB = load, .anchor = {5, 5}});
-    const JointId gear = world.join(plumb::GearJointDef{.jointA = hinge, .jointB = slide});
+    const JointId hinge = world.join(RevoluteJointDef{.bodyA = wall, .bodyB = other, .anchor = {10, 5}});
+    const JointId slide = world.join(PrismaticJointDef{.bodyA = wall, .bodyB = arm, .anchor = {0, 5}});
+    const JointId weld = world.join(WeldJointDef{.bodyA = arm, .bodyB = load, .anchor = {5, 5}});
+    const JointId gear = world.join(GearJointDef{.jointA = hinge, .jointB = slide});
     for (int i = 0; i < 10; ++i) world.step(dt);
     world.remove(arm);
     for (const JointId gone : {slide, weld, gear}) CHECK_FALSE(world.contains(gone));
@@ -280,7 +269,7 @@ TEST_CASE("a disabled body's joint does nothing, and holds again when it is enab
     const BodyId wall = world.add({.type = BodyType::Static, .position = {0, 10}}),
                  bob = world.add(bodyAt({{0, 8}, 0}));
     const JointId rod =
-        world.join(plumb::DistanceJointDef{.bodyA = wall, .bodyB = bob, .anchorA = {0, 10}, .anchorB = {0, 8}});
+        world.join(DistanceJointDef{.bodyA = wall, .bodyB = bob, .anchorA = {0, 10}, .anchorB = {0, 8}});
     world.body(wall).setEnabled(false);
     for (int i = 0; i < 30; ++i) world.step(dt);
     const double disabled = world.body(bob).position().y();
@@ -292,7 +281,6 @@ TEST_CASE("a disabled body's joint does nothing, and holds again when it is enab
 
 TEST_CASE("a motor that is at its limit of 1 N and is given endless force has its speed after the next step",
           "[dynamics][joints][motor]") {
-    using namespace plumb;
     const auto speedWith = [](auto def, auto force) {
         World world({.gravity = {0, 0}});
         def.bodyA = world.add({.type = BodyType::Static});
@@ -316,7 +304,6 @@ TEST_CASE("a motor that is at its limit of 1 N and is given endless force has it
 
 TEST_CASE("a motor at its stop that is given endless force stays there, and turned round leaves it at its speed",
           "[dynamics][joints][motor]") {
-    using namespace plumb;
     World world({.gravity = {0, 0}});
     PrismaticJointDef def{.anchor = {0, 2}, .limit = Limit{-1, 0.5}, .motorSpeed = 3, .maxMotorForce = 50};
     def.bodyA = world.add({.type = BodyType::Static});

@@ -9,13 +9,8 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::GearJointDef;
-using plumb::JointId;
-using plumb::RevoluteJointDef;
-using plumb::World;
-using plumb::test::dt;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -23,8 +18,8 @@ namespace {
 struct Gearing {
     World world;
     BodyId base = world.add({.type = BodyType::Static});
-    BodyId one = world.add({.position = {-2, 0}, .shapes = {plumb::circle(1)}});
-    BodyId two = world.add({.position = {2, 0}, .shapes = {plumb::circle(1)}});
+    BodyId one = world.add({.position = {-2, 0}, .shapes = {circle(1)}});
+    BodyId two = world.add({.position = {2, 0}, .shapes = {circle(1)}});
     JointId hingeOne = world.join(RevoluteJointDef{.bodyA = one, .bodyB = base, .anchor = {-2, 0}});
     JointId hingeTwo = world.join(RevoluteJointDef{.bodyA = two, .bodyB = base, .anchor = {2, 0}});
     JointId gear = world.join(GearJointDef{.jointA = hingeOne, .jointB = hingeTwo});
@@ -63,9 +58,9 @@ TEST_CASE("a rod bears nothing once the ball that hung on it is made static or d
     for (const bool disabled : {false, true}) {
         World world;
         const BodyId hook = world.add({.type = BodyType::Static, .position = {0, 2}});
-        const BodyId ball = world.add({.shapes = {plumb::circle(1)}});
+        const BodyId ball = world.add({.shapes = {circle(1)}});
         const JointId rod =
-            world.join(plumb::DistanceJointDef{.bodyA = hook, .bodyB = ball, .anchorA = {0, 2}, .anchorB = {0, 0}});
+            world.join(DistanceJointDef{.bodyA = hook, .bodyB = ball, .anchorA = {0, 2}, .anchorB = {0, 0}});
         for (int tick = 0; tick < 10; ++tick) world.step(dt);
         CHECK(world.joint(rod).reaction().force.y() > 30);
         if (disabled)
@@ -79,12 +74,12 @@ TEST_CASE("a rod bears nothing once the ball that hung on it is made static or d
 
 TEST_CASE("a ball on a rod swings on when the ball above it goes into quarantine", "[dynamics][joints]") {
     World world;
-    const BodyId above = world.add({.position = {0, 0}, .shapes = {plumb::circle(0.5)}});
-    const BodyId below = world.add({.position = {1, -1}, .shapes = {plumb::circle(0.5)}});
+    const BodyId above = world.add({.position = {0, 0}, .shapes = {circle(0.5)}});
+    const BodyId below = world.add({.position = {1, -1}, .shapes = {circle(0.5)}});
     const JointId rod =
-        world.join(plumb::DistanceJointDef{.bodyA = above, .bodyB = below, .anchorA = {0, 0}, .anchorB = {1, -1}});
+        world.join(DistanceJointDef{.bodyA = above, .bodyB = below, .anchorA = {0, 0}, .anchorB = {1, -1}});
     world.step(dt);
-    const plumb::Vec2 hook = world.body(above).position();
+    const Vec2 hook = world.body(above).position();
     world.body(above).setVelocity({1e300, 0});
     for (int tick = 0; tick < 60; ++tick) {
         world.step(dt);
@@ -100,8 +95,8 @@ TEST_CASE("a ball falls freely while what it hangs on is 1e99 m away, and hangs 
     for (const BodyType type : {BodyType::Static, BodyType::Kinematic}) {
         World world({.ledger = true});
         const BodyId hook = world.add({.type = type});
-        const BodyId ball = world.add({.position = {0, -1}, .shapes = {plumb::circle(0.5)}});
-        const JointId rod = world.join(plumb::DistanceJointDef{.bodyA = hook, .bodyB = ball, .anchorB = {0, -1}});
+        const BodyId ball = world.add({.position = {0, -1}, .shapes = {circle(0.5)}});
+        const JointId rod = world.join(DistanceJointDef{.bodyA = hook, .bodyB = ball, .anchorB = {0, -1}});
         world.step(dt);
         world.body(hook).setPose({1e99, 1e99}, 0);
         for (int tick = 0; tick < 10; ++tick) world.step(dt);
@@ -117,10 +112,10 @@ TEST_CASE("a ball falls freely while what it hangs on is 1e99 m away, and hangs 
 
 TEST_CASE("the error of a joint is finite while one of its bodies is 1e300 m away", "[dynamics][joints]") {
     World world;
-    const BodyId near = world.add({.shapes = {plumb::circle(0.5)}});
-    const BodyId far = world.add({.position = {3, 0}, .shapes = {plumb::circle(0.5)}});
-    const JointId hinge = world.join(
-        plumb::RevoluteJointDef{.bodyA = near, .bodyB = far, .anchor = {1, 0}, .limit = plumb::Limit{-1, 1}});
+    const BodyId near = world.add({.shapes = {circle(0.5)}});
+    const BodyId far = world.add({.position = {3, 0}, .shapes = {circle(0.5)}});
+    const JointId hinge =
+        world.join(RevoluteJointDef{.bodyA = near, .bodyB = far, .anchor = {1, 0}, .limit = Limit{-1, 1}});
     for (const double x : {1e16, 1e100, 1e160, 1e300}) {
         world.body(far).setPose({x, -x}, 2);
         world.step(dt);
@@ -139,7 +134,7 @@ TEST_CASE(
         INFO("inertia " << inertia << " kg m^2");
         World world({.sleeping = false});
         const BodyId ceiling = world.add({.type = BodyType::Static});
-        const plumb::Mass point{1, {0, 0}, inertia};
+        const Mass point{1, {0, 0}, inertia};
         const BodyId upper = world.add({.position = {0.3, -0.95}, .mass = point});
         const BodyId lower = world.add({.position = {0.9, -1.75}, .mass = point});
         const JointId first = world.join(RevoluteJointDef{.bodyA = ceiling, .bodyB = upper, .anchor = {0, 0}});
@@ -170,21 +165,20 @@ TEST_CASE("three welded bars hold while two of them are kept from turning, as th
         World world({.sleeping = false});
         std::vector<BodyId> bars;
         std::vector<JointId> welds;
-        for (int i = 0; i < 3; ++i)
-            bars.push_back(world.add({.position = {1.0 * i, 0}, .shapes = {plumb::box({0.4, 0.1})}}));
+        for (int i = 0; i < 3; ++i) bars.push_back(world.add({.position = {1.0 * i, 0}, .shapes = {box({0.4, 0.1})}}));
         for (std::size_t i = 1; i < 3; ++i)
-            welds.push_back(world.join(plumb::WeldJointDef{
-                .bodyA = bars[i - 1], .bodyB = bars[i], .anchor = {static_cast<double>(i) - 0.5, 0}}));
+            welds.push_back(world.join(
+                WeldJointDef{.bodyA = bars[i - 1], .bodyB = bars[i], .anchor = {static_cast<double>(i) - 0.5, 0}}));
         for (int tick = 0; tick < 180; ++tick) {
             if (tick == 60) world.body(bars[0]).setFixedRotation(true);
             if (tick == 80) world.body(bars[2]).setFixedRotation(true);
             if (tick == 120) world.body(bars[2]).setFixedRotation(false);
             if (again && tick >= 60) world.joint(welds[0]).set(world.joint(welds[0]).def());
-            world.body(bars[1]).applyForce({0.02, 0.1}, world.body(bars[1]).position() + plumb::Vec2(0.3, 0));
+            world.body(bars[1]).applyForce({0.02, 0.1}, world.body(bars[1]).position() + Vec2(0.3, 0));
             world.step(dt);
             for (const JointId weld : welds) CHECK(world.joint(weld).error() < 1e-5);
         }
-        states.push_back(plumb::stateHash(world));
+        states.push_back(stateHash(world));
     }
     CHECK(states[0] == states[1]);
 }
@@ -195,10 +189,8 @@ TEST_CASE("a bar that is whirled at its end at 50 or 100 rad/s keeps its hinge a
         INFO(spin << " rad/s");
         World world({.gravity = {0, 0}, .sleeping = false});
         const BodyId ground = world.add({.type = BodyType::Static});
-        const BodyId bar = world.add({.position = {0.5, 0},
-                                      .velocity = {0, 0.5 * spin},
-                                      .angularVelocity = spin,
-                                      .shapes = {plumb::box({0.5, 0.05})}});
+        const BodyId bar = world.add(
+            {.position = {0.5, 0}, .velocity = {0, 0.5 * spin}, .angularVelocity = spin, .shapes = {box({0.5, 0.05})}});
         const JointId hinge = world.join(RevoluteJointDef{.bodyA = ground, .bodyB = bar, .anchor = {0, 0}});
         double gap = 0;
         for (int tick = 0; tick < 600; ++tick) {

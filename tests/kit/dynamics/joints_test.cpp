@@ -6,11 +6,8 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::g;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -39,8 +36,8 @@ double pendulumError(double degrees, int rate) {
     World world({.gravity = {0, -g}});
     const double start = degrees * std::numbers::pi / 180;
     const BodyId pivot = world.add({.type = BodyType::Static});
-    const BodyId bob = world.add({.position = {std::sin(start), -std::cos(start)}, .shapes = {plumb::circle(0.1)}});
-    world.join(plumb::RevoluteJointDef{.bodyA = pivot, .bodyB = bob, .anchor = {0, 0}});
+    const BodyId bob = world.add({.position = {std::sin(start), -std::cos(start)}, .shapes = {circle(0.1)}});
+    world.join(RevoluteJointDef{.bodyA = pivot, .bodyB = bob, .anchor = {0, 0}});
     const double k = g / (1 + 0.1 * 0.1 / 2);  // m g l / (m l^2 + m r^2 / 2)
     Angle truth{start, 0};
     double worst = 0;
@@ -69,13 +66,12 @@ TEST_CASE("a pendulum's error falls at least as the square of the step", "[dynam
 TEST_CASE("a 2 kg body hanging from a joint pulls on it with 19.62 N", "[dynamics][law]") {
     World world({.gravity = {0, -g}});
     const BodyId ceiling = world.add({.type = BodyType::Static});
-    const plumb::Mass mass{2, {0, 0}, 0.1};
-    const BodyId hinged = world.add({.position = {0, -1}, .mass = mass, .shapes = {plumb::circle(0.2)}});
-    const BodyId hung = world.add({.position = {5, -1}, .mass = mass, .shapes = {plumb::circle(0.2)}});
-    const plumb::JointId hinge =
-        world.join(plumb::RevoluteJointDef{.bodyA = ceiling, .bodyB = hinged, .anchor = {0, 0}});
-    const plumb::JointId rod =
-        world.join(plumb::DistanceJointDef{.bodyA = ceiling, .bodyB = hung, .anchorA = {5, 0}, .anchorB = {5, -1}});
+    const Mass mass{2, {0, 0}, 0.1};
+    const BodyId hinged = world.add({.position = {0, -1}, .mass = mass, .shapes = {circle(0.2)}});
+    const BodyId hung = world.add({.position = {5, -1}, .mass = mass, .shapes = {circle(0.2)}});
+    const JointId hinge = world.join(RevoluteJointDef{.bodyA = ceiling, .bodyB = hinged, .anchor = {0, 0}});
+    const JointId rod =
+        world.join(DistanceJointDef{.bodyA = ceiling, .bodyB = hung, .anchorA = {5, 0}, .anchorB = {5, -1}});
     for (int tick = 0; tick < 20; ++tick) world.step(1.0 / 60);
     CHECK(std::fabs(world.joint(hinge).reaction().force.y() - 19.62) < 1e-3);
     CHECK(std::fabs(world.joint(rod).reaction().force.y() - 19.62) < 1e-3);
@@ -84,9 +80,9 @@ TEST_CASE("a 2 kg body hanging from a joint pulls on it with 19.62 N", "[dynamic
 
 TEST_CASE("a rod pulls two bodies to its length when they start 0.2 m farther apart", "[dynamics]") {
     World world({.gravity = {0, 0}});
-    const BodyId a = world.add({.position = {0, 0}, .shapes = {plumb::circle(0.1)}});
-    const BodyId b = world.add({.position = {1.2, 0}, .shapes = {plumb::circle(0.1)}});
-    world.join(plumb::DistanceJointDef{.bodyA = a, .bodyB = b, .anchorA = {0, 0}, .anchorB = {1.2, 0}, .length = 1.0});
+    const BodyId a = world.add({.position = {0, 0}, .shapes = {circle(0.1)}});
+    const BodyId b = world.add({.position = {1.2, 0}, .shapes = {circle(0.1)}});
+    world.join(DistanceJointDef{.bodyA = a, .bodyB = b, .anchorA = {0, 0}, .anchorB = {1.2, 0}, .length = 1.0});
     for (int tick = 0; tick < 120; ++tick) world.step(1.0 / 60);
     CHECK(std::fabs((world.body(b).position() - world.body(a).position()).norm() - 1) < 1e-4);
     CHECK(std::fabs((world.body(b).position() + world.body(a).position()).x() - 1.2) < 1e-5);
@@ -94,9 +90,9 @@ TEST_CASE("a rod pulls two bodies to its length when they start 0.2 m farther ap
 
 TEST_CASE("bodies joined without collideConnected pass through each other until the joint is removed", "[dynamics]") {
     World world({.gravity = {0, 0}});
-    const BodyId a = world.add({.position = {0, 0}, .shapes = {plumb::circle(0.5)}});
-    const BodyId b = world.add({.position = {0.5, 0}, .shapes = {plumb::circle(0.5)}});
-    const plumb::JointId joint = world.join(plumb::RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = {0.25, 0}});
+    const BodyId a = world.add({.position = {0, 0}, .shapes = {circle(0.5)}});
+    const BodyId b = world.add({.position = {0.5, 0}, .shapes = {circle(0.5)}});
+    const JointId joint = world.join(RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = {0.25, 0}});
     for (int tick = 0; tick < 30; ++tick) world.step(1.0 / 60);
     CHECK(world.body(a).contacts().empty());
     CHECK((world.body(b).position() - world.body(a).position()).norm() < 0.5001);
@@ -114,12 +110,12 @@ TEST_CASE("a 30 by 30 grid of discs hung from seven joints stays together for te
             const bool fixed = i == 0 && std::abs(k - side / 2) <= 3;
             discs.push_back(world.add({.type = fixed ? BodyType::Static : BodyType::Dynamic,
                                        .position = Vec2(k, -i),
-                                       .shapes = {{.shape = plumb::Circle{0.4}, .filter = {2, ~std::uint64_t{2}}}}}));
+                                       .shapes = {{.shape = Circle{0.4}, .filter = {2, ~std::uint64_t{2}}}}}));
             const auto join = [&](int other, const Vec2& anchor) {
                 const BodyId a = discs[static_cast<std::size_t>(other)];
                 const BodyId b = discs.back();
                 if (world.body(a).type() == BodyType::Static && fixed) return;
-                world.join(plumb::RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = anchor});
+                world.join(RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = anchor});
             };
             if (i > 0) join(k * side + i - 1, {k, -i + 0.5});
             if (k > 0) join((k - 1) * side + i, {k - 0.5, -i});

@@ -12,16 +12,11 @@
 
 namespace {
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::ShapeDef;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::g;
+using namespace plumb;
+using namespace plumb::test;
 
 ShapeDef ngon(int corners, double radius, double friction = 1) {
-    plumb::Polygon polygon;
+    Polygon polygon;
     for (int i = 0; i < corners; ++i) {
         const double angle = std::numbers::pi * (2.0 * i / corners - 0.5 + 1.0 / corners);
         polygon.vertices.push_back(radius * Vec2(std::cos(angle), std::sin(angle)));
@@ -31,7 +26,7 @@ ShapeDef ngon(int corners, double radius, double friction = 1) {
 
 /// A polygon that has rested on a slope for two seconds, awake.
 struct Rest {
-    World world{plumb::WorldDef{.sleeping = false}};
+    World world{WorldDef{.sleeping = false}};
     BodyId ground, body;
     double angle;
     int corners;
@@ -80,7 +75,7 @@ TEST_CASE("what is changed at a body that has rested on a slope acts in the same
          },
          down},
         {"a joint that lets them pass",
-         [](Rest& r) { r.world.join(plumb::FilterJointDef{.bodyA = r.ground, .bodyB = r.body}); }, down},
+         [](Rest& r) { r.world.join(FilterJointDef{.bodyA = r.ground, .bodyB = r.body}); }, down},
     };
     for (const int corners : {3, 5, 6, 8}) {
         for (const Change& change : changes) {
@@ -124,7 +119,7 @@ TEST_CASE("a contact at a corner that has rested is none any more in the step in
                    .shapes = {plumb::polygon({{0, 0}, {3, 0}, {2.9, 0.1}, {0, 0.1}}, {.friction = 1})}});
     for (int i = 0; i < 200; ++i) world.step(dt);
     const auto touches = [&] {
-        for (const plumb::Contact& contact : world.body(plank).contacts())
+        for (const Contact& contact : world.body(plank).contacts())
             if (contact.shapeA.body == block || contact.shapeB.body == block) return true;
         return false;
     };

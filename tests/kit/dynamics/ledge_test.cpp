@@ -7,13 +7,8 @@
 #include "catch.h"
 #include "kit/dynamics/sliders.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Material;
-using plumb::ShapeDef;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::smooth;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -41,16 +36,16 @@ TEST_CASE("discs, capsules and boxes go on over the brink of a tile map as of a 
         ShapeDef shape;
         double below;
     };
-    const Slider sliders[] = {{"disc", plumb::circle(0.4, smooth), 0.4},
-                              {"capsule", plumb::capsule({-0.3, 0}, {0.3, 0}, 0.2, smooth), 0.2},
-                              {"box", plumb::box({0.4, 0.3}, smooth), 0.3}};
+    const Slider sliders[] = {{"disc", circle(0.4, smooth), 0.4},
+                              {"capsule", capsule({-0.3, 0}, {0.3, 0}, 0.2, smooth), 0.2},
+                              {"box", box({0.4, 0.3}, smooth), 0.3}};
     for (const Slider& slider : sliders) {
         for (const double speed : {1.0, 2.0, 3.3, 4.0, 8.0}) {
             INFO(slider.name << " at " << speed << " m/s");
             // What turns over the brink trades speed forward for spin, on either ground alike.
-            ShapeDef slab = plumb::box({1, 2.5}, smooth);
+            ShapeDef slab = box({1, 2.5}, smooth);
             const double whole = leastKept(slab, {1, -2.5}, slider.shape, slider.below, speed);
-            const ShapeDef map = plumb::tiles(plumb::tileMapOf({"##..", "##..", "##.."}), smooth);
+            const ShapeDef map = tiles(tileMapOf({"##..", "##..", "##.."}), smooth);
             CHECK(leastKept(map, {0, -3}, slider.shape, slider.below, speed) > whole - 0.02);
         }
     }

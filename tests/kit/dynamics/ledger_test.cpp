@@ -9,16 +9,8 @@
 #include "kit/dynamics/worlds.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::EnergyLedger;
-using plumb::Mass;
-using plumb::MomentumLedger;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::g;
-using plumb::test::run;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -36,19 +28,18 @@ struct Fair {
     std::vector<BodyId> pushed;
 
     explicit Fair(bool ledger, int lanes) : world({.ledger = ledger, .solver = {.lanes = lanes}}) {
-        const BodyId ground =
-            world.add({.type = BodyType::Static,
-                       .shapes = {plumb::segment({-30, 0}, {30, 0}, {.friction = 0.5}),
-                                  plumb::segment({30, 0}, {30, 9}), plumb::segment({-30, 0}, {-30, 9})}});
-        const plumb::Material bouncy{.restitution = 0.7};
+        const BodyId ground = world.add({.type = BodyType::Static,
+                                         .shapes = {segment({-30, 0}, {30, 0}, {.friction = 0.5}),
+                                                    segment({30, 0}, {30, 9}), segment({-30, 0}, {-30, 9})}});
+        const Material bouncy{.restitution = 0.7};
         for (int i = 0; i < 12; ++i) {
             pushed.push_back(world.add({.position = {-20 + 1.5 * i, 2 + 0.4 * i},
                                         .angle = 0.3 * i,
                                         .velocity = {3, 0},
                                         .linearDamping = i % 3 == 0 ? 0.2 : 0,
                                         .shapes = {i % 2 == 0 ? plumb::box({0.5, 0.3}, {.friction = 0.4})
-                                                              : plumb::circle(0.4, {.rollingResistance = 0.02})}}));
-            world.add({.position = {5 + i, 4}, .velocity = {-1, 1}, .shapes = {plumb::circle(0.3, bouncy)}});
+                                                              : circle(0.4, {.rollingResistance = 0.02})}}));
+            world.add({.position = {5 + i, 4}, .velocity = {-1, 1}, .shapes = {circle(0.3, bouncy)}});
         }
         world.add(
             {.type = BodyType::Static, .position = {-25, 1}, .shapes = {plumb::box({2, 0.2}, {.surfaceSpeed = 2})}});
@@ -57,24 +48,20 @@ struct Fair {
             {.type = BodyType::Kinematic, .position = {25, 1}, .velocity = {0, 0.2}, .shapes = {plumb::box({2, 0.2})}});
         world.add({.position = {25, 2}, .shapes = {plumb::box({0.3, 0.3})}});
         const auto hang = [&](double x) {
-            return world.add({.position = {x, 12}, .mass = Mass{1, {0, 0}, 0.1}, .shapes = {plumb::circle(0.3)}});
+            return world.add({.position = {x, 12}, .mass = Mass{1, {0, 0}, 0.1}, .shapes = {circle(0.3)}});
         };
         const BodyId swing = hang(0), wheel = hang(3), sprung = hang(6), weak = hang(9);
-        world.join(plumb::RevoluteJointDef{
-            .bodyA = ground, .bodyB = swing, .anchor = {2, 13}, .limit = plumb::Limit{-0.4, 0.4}});
-        world.join(plumb::RevoluteJointDef{
+        world.join(RevoluteJointDef{.bodyA = ground, .bodyB = swing, .anchor = {2, 13}, .limit = Limit{-0.4, 0.4}});
+        world.join(RevoluteJointDef{
             .bodyA = ground, .bodyB = wheel, .anchor = {3, 12}, .motorSpeed = 20, .maxMotorTorque = 0.5});
-        world.join(plumb::DistanceJointDef{.bodyA = ground,
-                                           .bodyB = sprung,
-                                           .anchorA = {6, 14},
-                                           .anchorB = {6, 12},
-                                           .spring = plumb::springOf(1, 0.05, 1)});
-        world.join(plumb::DistanceJointDef{.bodyA = ground,
-                                           .bodyB = weak,
-                                           .anchorA = {9, 14},
-                                           .anchorB = {9, 12},
-                                           .spring = plumb::springOf(1, 0, 1),
-                                           .breaking = {.force = 12}});
+        world.join(DistanceJointDef{
+            .bodyA = ground, .bodyB = sprung, .anchorA = {6, 14}, .anchorB = {6, 12}, .spring = springOf(1, 0.05, 1)});
+        world.join(DistanceJointDef{.bodyA = ground,
+                                    .bodyB = weak,
+                                    .anchorA = {9, 14},
+                                    .anchorB = {9, 12},
+                                    .spring = springOf(1, 0, 1),
+                                    .breaking = {.force = 12}});
     }
     void step(int tick) {
         if (tick % 30 < 10) world.body(pushed[static_cast<std::size_t>(tick / 30) % pushed.size()]).applyForce({20, 5});
@@ -103,7 +90,7 @@ TEST_CASE("a block that slides to rest loses its energy to friction, m v^2 / 2",
 TEST_CASE("each bounce of a ball takes 1 - e^2 of what it came with", "[dynamics][ledger][law]") {
     World world = keeping();
     world.add({.type = BodyType::Static, .position = {0, -0.5}, .shapes = {plumb::box({5, 0.5})}});
-    const BodyId ball = world.add({.position = {0, 5.5}, .shapes = {plumb::circle(0.5, {.restitution = 0.8})}});
+    const BodyId ball = world.add({.position = {0, 5.5}, .shapes = {circle(0.5, {.restitution = 0.8})}});
     const double mass = world.body(ball).mass();
     double taken = 0, height = 5;
     for (int bounce = 0; bounce < 3; ++bounce) {
@@ -122,7 +109,7 @@ TEST_CASE("a motor gives its torque times the angle, and drag and force are told
     World world = keeping({0, 0});
     const BodyId base = world.add({.type = BodyType::Static});
     const BodyId wheel = world.add({.mass = Mass{1, {0, 0}, 0.5}});
-    world.join(plumb::RevoluteJointDef{.bodyA = base, .bodyB = wheel, .motorSpeed = 1000, .maxMotorTorque = 2});
+    world.join(RevoluteJointDef{.bodyA = base, .bodyB = wheel, .motorSpeed = 1000, .maxMotorTorque = 2});
     const BodyId sled = world.add({.position = {0, 5}, .linearDamping = 0.5, .mass = Mass{2, {0, 0}, 1}});
     double pushed = 0;
     for (int tick = 0; tick < 120; ++tick) {
@@ -165,10 +152,10 @@ TEST_CASE("a spring's energy comes and goes, its damper's goes", "[dynamics][led
     World world = keeping({0, 0});
     const BodyId base = world.add({.type = BodyType::Static});
     const BodyId body = world.add({.position = {3, 0}, .mass = Mass{1, {0, 0}, 1}});
-    world.join(plumb::DistanceJointDef{
-        .bodyA = base, .bodyB = body, .anchorB = {3, 0}, .length = 2, .spring = plumb::springOf(0.5, 0.1, 1)});
+    world.join(DistanceJointDef{
+        .bodyA = base, .bodyB = body, .anchorB = {3, 0}, .length = 2, .spring = springOf(0.5, 0.1, 1)});
     const double start = world.ledger().energy.spring;
-    CHECK(std::fabs(start - 0.5 * plumb::springOf(0.5, 0, 1).stiffness) < 1e-9);
+    CHECK(std::fabs(start - 0.5 * springOf(0.5, 0, 1).stiffness) < 1e-9);
     run(world, 20);
     const EnergyLedger ledger = world.ledger().energy;
     CHECK(ledger.stored() < 1e-4 * start);
@@ -193,13 +180,13 @@ TEST_CASE("each entry of the ledger is needed for it to close", "[dynamics][ledg
     double largest = 0;
     for (int tick = 0; tick < 900; ++tick) {
         fair.step(tick);
-        const plumb::Ledger ledger = fair.world.ledger();
+        const Ledger ledger = fair.world.ledger();
         largest = std::max(largest, std::fabs(ledger.energy.stored()));
         REQUIRE(open(ledger.energy) < 1e-6 * largest);
         REQUIRE((ledger.momentum.momentum - ledger.momentum.gained()).norm() <
                 1e-9 * (1 + ledger.momentum.gravity.norm()));
     }
-    const plumb::Ledger ledger = fair.world.ledger();
+    const Ledger ledger = fair.world.ledger();
     const std::pair<const char*, double EnergyLedger::*> entries[] = {{"edits", &EnergyLedger::edits},
                                                                       {"forces", &EnergyLedger::forces},
                                                                       {"drivers", &EnergyLedger::drivers},
@@ -243,11 +230,11 @@ TEST_CASE("a world is the same to the bit whether account is kept of it or not",
         wide.step(tick);
         narrow.step(tick);
     }
-    CHECK(plumb::stateHash(kept.world) == plumb::stateHash(wide.world));
-    CHECK(plumb::stateHash(kept.world) == plumb::stateHash(narrow.world));
+    CHECK(stateHash(kept.world) == stateHash(wide.world));
+    CHECK(stateHash(kept.world) == stateHash(narrow.world));
 }
 
 TEST_CASE("who did not ask for a ledger is told so", "[dynamics][ledger]") {
     const World world;
-    CHECK_THROWS_WITH(world.ledger(), plumb::test::containsText("WorldDef.ledger was not set"));
+    CHECK_THROWS_WITH(world.ledger(), containsText("WorldDef.ledger was not set"));
 }

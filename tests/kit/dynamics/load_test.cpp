@@ -9,12 +9,8 @@
 #include "cases.h"
 #include "catch.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Random;
-using plumb::ShapeDef;
-using plumb::Vec2;
-using plumb::World;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -25,7 +21,7 @@ ShapeDef ofDensity(ShapeDef shape, double density) {
 
 World onLevelGround(double gravity = 9.81) {
     World world({.gravity = {0, -gravity}});
-    world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::box({60, 1})}});
+    world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {box({60, 1})}});
     return world;
 }
 
@@ -50,15 +46,14 @@ struct CrateOverPlank {
     World world() const {
         World world = onLevelGround(gravity);
         for (const double x : {-1.6, 1.6})
-            if (onPosts)
-                world.add({.type = BodyType::Static, .position = {x, 0.5}, .shapes = {plumb::box({0.1, 0.5})}});
-        world.add({.position = {0, plankTop() - 0.5 * thickness}, .shapes = {plumb::box({2, 0.5 * thickness})}});
+            if (onPosts) world.add({.type = BodyType::Static, .position = {x, 0.5}, .shapes = {box({0.1, 0.5})}});
+        world.add({.position = {0, plankTop() - 0.5 * thickness}, .shapes = {box({2, 0.5 * thickness})}});
         for (int i = 0; i < 60; ++i) world.step(1.0 / 60);
         return world;
     }
     BodyId drop(World& world) const {
         return world.add(
-            {.position = {aside, plankTop() + half + fall}, .shapes = {ofDensity(plumb::box({half, half}), density)}});
+            {.position = {aside, plankTop() + half + fall}, .shapes = {ofDensity(box({half, half}), density)}});
     }
 };
 
@@ -108,9 +103,8 @@ TEST_CASE("a large box on two small ones comes to rest level", "[dynamics][load]
         for (int i = 0; i <= 40; ++i) {
             const double height = 0.05 * i;
             World world = onLevelGround();
-            for (const double x : {-apart, apart})
-                world.add({.position = {x, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
-            const BodyId large = world.add({.position = {0, 11 + height}, .shapes = {plumb::box({10, 10})}});
+            for (const double x : {-apart, apart}) world.add({.position = {x, 0.5}, .shapes = {box({0.5, 0.5})}});
+            const BodyId large = world.add({.position = {0, 11 + height}, .shapes = {box({10, 10})}});
             for (int step = 0; step < 600; ++step) world.step(1.0 / 60);
             INFO("small boxes at " << apart << " m, let down from " << height << " m");
             CHECK(std::fabs(world.body(large).angle()) < 0.002);
@@ -122,10 +116,10 @@ TEST_CASE("boxes of 20 to 1,000 times the mass do not sink into small ones", "[d
     for (const double density : {20.0, 100.0, 1000.0})
         for (const int count : {1, 2, 5}) {
             World world({.sleeping = false});
-            world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::box({60, 1})}});
-            for (int i = 0; i < count; ++i) world.add({.position = {0, 0.5 + i}, .shapes = {plumb::box({0.5, 0.5})}});
+            world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {box({60, 1})}});
+            for (int i = 0; i < count; ++i) world.add({.position = {0, 0.5 + i}, .shapes = {box({0.5, 0.5})}});
             const BodyId heavy =
-                world.add({.position = {0, count + 0.5}, .shapes = {ofDensity(plumb::box({0.5, 0.5}), density)}});
+                world.add({.position = {0, count + 0.5}, .shapes = {ofDensity(box({0.5, 0.5}), density)}});
             for (int step = 0; step < 600; ++step) world.step(1.0 / 60);
             INFO(density << " times the mass on " << count);
             CHECK(std::fabs(world.body(heavy).position().y() - count - 0.5) < 0.003);
@@ -134,23 +128,21 @@ TEST_CASE("boxes of 20 to 1,000 times the mass do not sink into small ones", "[d
 }
 
 TEST_CASE("heavy bodies that fall on heaps of light ones never rise above where they began", "[dynamics][load]") {
-    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(plumb::test::allCases(300)); ++seed) {
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(allCases(300)); ++seed) {
         Random random(seed);
         World world = onLevelGround(random.uniform(4, 25));
         for (const double x : {-8.0, 8.0})
-            world.add({.type = BodyType::Static, .position = {x, 4}, .shapes = {plumb::box({1, 6})}});
+            world.add({.type = BodyType::Static, .position = {x, 4}, .shapes = {box({1, 6})}});
         const double size = random.uniform(0.1, 0.5), half = random.uniform(0.3, 2);
         const auto count = random.integer(2, 7);
         for (int i = 0; i < count; ++i) {
             const Vec2 place(-3 + 6 * (i + 0.5) / static_cast<double>(count), size / 2);
-            world.add({.position = place,
-                       .shapes = {seed % 2 == 0 ? plumb::box({size / 2, size / 2}) : plumb::circle(size / 2)}});
+            world.add({.position = place, .shapes = {seed % 2 == 0 ? box({size / 2, size / 2}) : circle(size / 2)}});
         }
         const Vec2 place(random.uniform(-2, 2), size + 1.5 * half + random.uniform(0, 2));
         const double density = std::pow(10.0, random.uniform(0, 3));
-        const BodyId heavy = world.add({.position = place,
-                                        .angle = random.uniform(-3, 3),
-                                        .shapes = {ofDensity(plumb::box({half, half}), density)}});
+        const BodyId heavy = world.add(
+            {.position = place, .angle = random.uniform(-3, 3), .shapes = {ofDensity(box({half, half}), density)}});
         const double start = storedEnergy(world), scale = world.body(heavy).mass() * world.gravity().norm() * half;
         double most = start;
         for (int step = 0; step < 300; ++step) {

@@ -10,14 +10,8 @@
 #include "kit/usual_world.h"
 #include "numbers.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::JointId;
-using plumb::RevoluteJointDef;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::g;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -28,8 +22,7 @@ struct JointMachine {
     std::vector<JointId> joints;
 
     explicit JointMachine(double friction = 0.6) {
-        world.add(
-            {.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::box({1000, 1}, {.friction = friction})}});
+        world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {box({1000, 1}, {.friction = friction})}});
     }
     void hinge(const BodyId& a, const BodyId& b, const Vec2& anchor) {
         joints.push_back(world.join(RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = anchor}));
@@ -50,14 +43,12 @@ struct JointMachine {
 void makeCart(JointMachine& machine, double wheelMass, double drop, double x0 = 0) {
     const double y = 0.25 + drop;
     World& world = machine.world;
-    const BodyId chassis =
-        world.add({.position = {x0, y},
-                   .shapes = {{.shape = plumb::boxPolygon({1, 0.25}, {0, 0.25}), .material = {.density = 1000}}}});
+    const BodyId chassis = world.add(
+        {.position = {x0, y}, .shapes = {{.shape = boxPolygon({1, 0.25}, {0, 0.25}), .material = {.density = 1000}}}});
     machine.bodies.push_back(chassis);
     for (const double x : {-0.9, 0.9}) {
-        const double density = wheelMass / (plumb::test::pi * 0.01);
-        const BodyId wheel =
-            world.add({.position = {x0 + x, y - 0.15}, .shapes = {plumb::circle(0.1, {.density = density})}});
+        const double density = wheelMass / (pi * 0.01);
+        const BodyId wheel = world.add({.position = {x0 + x, y - 0.15}, .shapes = {circle(0.1, {.density = density})}});
         machine.bodies.push_back(wheel);
         machine.hinge(chassis, wheel, {x0 + x, y - 0.15});
     }
@@ -67,14 +58,14 @@ void makeCart(JointMachine& machine, double wheelMass, double drop, double x0 = 
 void makeHeap(JointMachine& machine, int links, double length, double load, double friction) {
     World& world = machine.world;
     const double top = links * length + 1;
-    BodyId last = world.add({.position = {0, top + 0.5},
-                             .shapes = {plumb::box({0.4, 0.4}, {.density = load / 0.64, .friction = friction})}});
+    BodyId last = world.add(
+        {.position = {0, top + 0.5}, .shapes = {box({0.4, 0.4}, {.density = load / 0.64, .friction = friction})}});
     machine.bodies.push_back(last);
     for (int i = 0; i < links; ++i) {
         const double x = 0.01 * i, y = top - length * i;
-        const BodyId link = world.add(
-            {.position = {x, y - 0.5 * length},
-             .shapes = {plumb::box({0.04, 0.5 * length}, {.density = 1 / (0.08 * length), .friction = friction})}});
+        const BodyId link =
+            world.add({.position = {x, y - 0.5 * length},
+                       .shapes = {box({0.04, 0.5 * length}, {.density = 1 / (0.08 * length), .friction = friction})}});
         machine.bodies.push_back(link);
         machine.hinge(last, link, {x, y});
         last = link;
@@ -125,28 +116,28 @@ TEST_CASE("carts of any weights come to rest on hinges, welds and sprung wheels"
         std::mt19937 random(static_cast<unsigned>(run));
         std::uniform_real_distribution<double> share(0, 1);
         const double mass = std::pow(10, 1 + 4 * share(random)), wheelMass = 0.05 + 5 * share(random);
-        const double load = 0.5 * mass, drop = 2 * share(random), rate = 2 * plumb::test::pi * (1 + share(random));
+        const double load = 0.5 * mass, drop = 2 * share(random), rate = 2 * pi * (1 + share(random));
         JointMachine machine;
         World& world = machine.world;
         const BodyId chassis =
-            world.add({.position = {0, drop + 0.6}, .shapes = {plumb::box({1, 0.2}, {.density = mass / 0.8})}});
+            world.add({.position = {0, drop + 0.6}, .shapes = {box({1, 0.2}, {.density = mass / 0.8})}});
         machine.bodies.push_back(chassis);
         for (const double x : {-0.8, 0.8}) {
             const Vec2 at(x, drop + 0.2);
-            const BodyId wheel = world.add(
-                {.position = at, .shapes = {plumb::circle(0.2, {.density = wheelMass / (plumb::test::pi * 0.04)})}});
+            const BodyId wheel =
+                world.add({.position = at, .shapes = {circle(0.2, {.density = wheelMass / (pi * 0.04)})}});
             machine.bodies.push_back(wheel);
             if (run % 3 == 0)
                 machine.hinge(chassis, wheel, at);
             else if (run % 3 == 1)
-                world.join(plumb::WeldJointDef{.bodyA = chassis, .bodyB = wheel, .anchor = at});
+                world.join(WeldJointDef{.bodyA = chassis, .bodyB = wheel, .anchor = at});
             else
-                world.join(plumb::WheelJointDef{.bodyA = chassis,
-                                                .bodyB = wheel,
-                                                .anchor = at,
-                                                .axis = {0, 1},
-                                                .limit = plumb::Limit{-0.1, 0.1},
-                                                .spring = plumb::Spring{load * rate * rate, load * rate}});
+                world.join(WheelJointDef{.bodyA = chassis,
+                                         .bodyB = wheel,
+                                         .anchor = at,
+                                         .axis = {0, 1},
+                                         .limit = Limit{-0.1, 0.1},
+                                         .spring = Spring{load * rate * rate, load * rate}});
         }
         const double start = world.ledger().energy.stored();
         double most = 0;
@@ -174,17 +165,17 @@ TEST_CASE("a cart whose wheels have stops and no springs gains no energy when it
         JointMachine machine;
         World& world = machine.world;
         machine.bodies.push_back(
-            world.add({.position = {0, drop + 0.6}, .shapes = {plumb::box({1.5, 0.2}, {.density = mass / 1.2})}}));
+            world.add({.position = {0, drop + 0.6}, .shapes = {box({1.5, 0.2}, {.density = mass / 1.2})}}));
         for (int i = 0; i < wheels; ++i) {
             const Vec2 at(-1.3 + 2.6 * i / (wheels - 1), drop + 0.2);
-            machine.bodies.push_back(world.add(
-                {.position = at, .shapes = {plumb::circle(0.2, {.density = wheelMass / (plumb::test::pi * 0.04)})}}));
+            machine.bodies.push_back(
+                world.add({.position = at, .shapes = {circle(0.2, {.density = wheelMass / (pi * 0.04)})}}));
             const double lower = -0.01 - 0.19 * share(random), upper = 0.01 + 0.19 * share(random);
-            world.join(plumb::WheelJointDef{.bodyA = machine.bodies[0],
-                                            .bodyB = machine.bodies.back(),
-                                            .anchor = at,
-                                            .axis = {0, 1},
-                                            .limit = plumb::Limit{lower, upper}});
+            world.join(WheelJointDef{.bodyA = machine.bodies[0],
+                                     .bodyB = machine.bodies.back(),
+                                     .anchor = at,
+                                     .axis = {0, 1},
+                                     .limit = Limit{lower, upper}});
         }
         const double start = world.ledger().energy.stored();
         double most = 0;
@@ -210,7 +201,7 @@ TEST_CASE("what lands far away changes no bit of a machine on the ground", "[dyn
         std::vector<double> places;
         for (int tick = 0; tick < 120; ++tick) machine.world.step(dt);
         for (std::size_t i = 0; i < own; ++i) {
-            const plumb::Body body = machine.world.body(machine.bodies[i]);
+            const Body body = machine.world.body(machine.bodies[i]);
             places.insert(places.end(), {body.position().x(), body.position().y(), body.angle()});
         }
         return places;
@@ -221,12 +212,12 @@ TEST_CASE("what lands far away changes no bit of a machine on the ground", "[dyn
 TEST_CASE("hinged pairs thrown at walls fly and hit alike with any number of lanes, and with a ledger",
           "[dynamics][joints][machines]") {
     const auto flightOf = [](int lanes, bool ledger) {
-        plumb::WorldDef def{.ledger = ledger};
+        WorldDef def{.ledger = ledger};
         def.solver.lanes = lanes;
         World world(def);
         for (const double x : {-11.0, 11.0})
-            world.add({.type = BodyType::Static, .position = {x, 0}, .shapes = {plumb::box({1, 30})}});
-        world.add({.type = BodyType::Static, .position = {0, -31}, .shapes = {plumb::box({12, 1})}});
+            world.add({.type = BodyType::Static, .position = {x, 0}, .shapes = {box({1, 30})}});
+        world.add({.type = BodyType::Static, .position = {0, -31}, .shapes = {box({12, 1})}});
         std::mt19937 random(7);
         std::uniform_real_distribution<double> place(-8, 8), speed(-60, 60);
         std::vector<BodyId> bodies;
@@ -236,18 +227,18 @@ TEST_CASE("hinged pairs thrown at walls fly and hit alike with any number of lan
                 bodies.push_back(world.add({.position = at + Vec2(x, 0),
                                             .velocity = velocity,
                                             .angularVelocity = 5.0 * i,
-                                            .shapes = {plumb::box({0.3, 0.1 + 0.02 * (i % 3)})}}));
+                                            .shapes = {box({0.3, 0.1 + 0.02 * (i % 3)})}}));
             world.join(RevoluteJointDef{
                 .bodyA = bodies[bodies.size() - 2], .bodyB = bodies.back(), .anchor = at + Vec2(0.35, 0)});
         }
         std::vector<double> numbers;
         for (int tick = 0; tick < 60; ++tick) {
             world.step(dt);
-            for (const plumb::ContactHit& hit : world.contactHits())
+            for (const ContactHit& hit : world.contactHits())
                 numbers.insert(numbers.end(), {hit.point.x(), hit.point.y(), hit.approachSpeed});
         }
         for (const BodyId id : bodies) {
-            const plumb::Body body = world.body(id);
+            const Body body = world.body(id);
             numbers.insert(numbers.end(), {body.position().x(), body.position().y(), body.angle()});
         }
         return numbers;
@@ -293,12 +284,11 @@ TEST_CASE("a motor with too little torque does not drive a cart up a wall, and o
     for (const double torque : {50.0, 1e4}) {
         INFO("torque " << torque);
         World world;
-        world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::box({1000, 1}, {.friction = 1})}});
-        const BodyId chassis = world.add({.position = {0, 0.4}, .shapes = {plumb::box({1, 0.2}, {.density = 250})}});
+        world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {box({1000, 1}, {.friction = 1})}});
+        const BodyId chassis = world.add({.position = {0, 0.4}, .shapes = {box({1, 0.2}, {.density = 250})}});
         for (const double x : {-0.8, 0.8}) {
-            const BodyId wheel =
-                world.add({.position = {x, 0.2},
-                           .shapes = {plumb::circle(0.2, {.density = 10 / (plumb::test::pi * 0.04), .friction = 1})}});
+            const BodyId wheel = world.add(
+                {.position = {x, 0.2}, .shapes = {circle(0.2, {.density = 10 / (pi * 0.04), .friction = 1})}});
             world.join(RevoluteJointDef{
                 .bodyA = chassis, .bodyB = wheel, .anchor = {x, 0.2}, .motorSpeed = -50, .maxMotorTorque = torque});
         }

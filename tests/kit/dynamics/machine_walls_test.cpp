@@ -9,22 +9,17 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::DistanceJointDef;
-using plumb::Material;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
-plumb::ShapeDef jointedShape(int number, const Material& material) {
+ShapeDef jointedShape(int number, const Material& material) {
     switch (number % 4) {
-        case 0: return plumb::circle(0.2, material);
-        case 1: return plumb::box({0.6, 0.05}, material);
-        case 2: return plumb::capsule({-0.4, 0}, {0.4, 0}, 0.1, material);
-        default: return plumb::polygon({{-0.3, -0.2}, {0.5, -0.1}, {0.1, 0.4}}, material);
+        case 0: return circle(0.2, material);
+        case 1: return box({0.6, 0.05}, material);
+        case 2: return capsule({-0.4, 0}, {0.4, 0}, 0.1, material);
+        default: return polygon({{-0.3, -0.2}, {0.5, -0.1}, {0.1, 0.4}}, material);
     }
 }
 
@@ -46,7 +41,7 @@ Ending endingOf(unsigned seed, double most) {
     World world({.gravity = {0, -10}});
     const Vec2 corners[4] = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};
     for (std::size_t i = 0; i < 4; ++i)
-        world.add({.type = BodyType::Static, .shapes = {plumb::segment(corners[i], corners[(i + 1) % 4], material)}});
+        world.add({.type = BodyType::Static, .shapes = {segment(corners[i], corners[(i + 1) % 4], material)}});
     std::vector<BodyId> bodies;
     for (int i = 0; i < 12; ++i) {
         const Vec2 at(-7 + 4.6 * (i % 4), -6 + 6.0 * (i / 4)), before = at - Vec2(4.6, 0);
@@ -56,7 +51,7 @@ Ending endingOf(unsigned seed, double most) {
         if (i % 4 == 0) continue;
         DistanceJointDef rod{.bodyA = *(bodies.end() - 2), .bodyB = bodies.back(), .anchorA = before, .anchorB = at};
         if (i >= 8) {  // a rope
-            rod.spring = plumb::Spring{0, 0};
+            rod.spring = Spring{0, 0};
             rod.maxLength = 4.6;
         }
         world.join(rod);
@@ -81,7 +76,7 @@ Ending endingOf(unsigned seed, double most) {
 
 TEST_CASE("rods and ropes do not pull fast bodies through the segments of 60 rooms", "[dynamics][joints][machines]") {
     int slowEscapes = 0, escapes = 0, slowRunaways = 0;
-    const int runs = plumb::test::allCases(60);
+    const int runs = allCases(60);
     for (int run = 0; run < runs; ++run) {
         const double most = run % 2 == 0 ? 200 : 2000;
         const Ending ending = endingOf(static_cast<unsigned>(run), most);

@@ -8,21 +8,15 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::JointId;
-using plumb::Mass;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::g;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
 double energyOf(const World& world) {
     double energy = 0;
     for (const BodyId id : world.bodies()) {
-        const plumb::BodyView body = world.body(id);
+        const BodyView body = world.body(id);
         energy += 0.5 * body.mass() * body.velocity().squaredNorm() +
                   0.5 * body.inertia() * body.angularVelocity() * body.angularVelocity() +
                   body.mass() * g * body.centerOfMass().y();
@@ -41,20 +35,19 @@ struct LoadedChain {
         const double angle = std::atan2(along.y(), along.x());
         BodyId last = world.add({.type = BodyType::Static});
         for (int i = 0; i < 20; ++i) {
-            const BodyId link = world.add(
-                {.position = (0.25 + 0.5 * i) * along,
-                 .angle = angle,
-                 .shapes = {{.shape = plumb::Capsule{{-0.25, 0}, {0.25, 0}, 0.05}, .filter = {.group = -1}}}});
+            const BodyId link =
+                world.add({.position = (0.25 + 0.5 * i) * along,
+                           .angle = angle,
+                           .shapes = {{.shape = Capsule{{-0.25, 0}, {0.25, 0}, 0.05}, .filter = {.group = -1}}}});
             linkMass = world.body(link).mass();
-            joints.push_back(
-                world.join(plumb::RevoluteJointDef{.bodyA = last, .bodyB = link, .anchor = 0.5 * i * along}));
+            joints.push_back(world.join(RevoluteJointDef{.bodyA = last, .bodyB = link, .anchor = 0.5 * i * along}));
             last = link;
         }
         const double mass = loadRatio * linkMass;
         load = world.add({.position = 10.5 * along,
                           .mass = Mass{mass, {0, 0}, 0.1 * mass},
-                          .shapes = {{.shape = plumb::Circle{0.5}, .filter = {.group = -1}}}});
-        joints.push_back(world.join(plumb::RevoluteJointDef{.bodyA = last, .bodyB = load, .anchor = 10 * along}));
+                          .shapes = {{.shape = Circle{0.5}, .filter = {.group = -1}}}});
+        joints.push_back(world.join(RevoluteJointDef{.bodyA = last, .bodyB = load, .anchor = 10 * along}));
     }
     double worstError() const {
         double worst = 0;
@@ -88,8 +81,8 @@ TEST_CASE("a double pendulum that turns over keeps its energy to 1 % for 60 s", 
     const BodyId base = world.add({.type = BodyType::Static});
     const BodyId upper = world.add({.position = {1, 0}, .shapes = {plumb::box({1, 0.05})}});
     const BodyId lower = world.add({.position = {3, 0}, .shapes = {plumb::box({1, 0.05})}});
-    world.join(plumb::RevoluteJointDef{.bodyA = base, .bodyB = upper});
-    world.join(plumb::RevoluteJointDef{.bodyA = upper, .bodyB = lower, .anchor = {2, 0}});
+    world.join(RevoluteJointDef{.bodyA = base, .bodyB = upper});
+    world.join(RevoluteJointDef{.bodyA = upper, .bodyB = lower, .anchor = {2, 0}});
     const double start = energyOf(world), range = world.body(upper).mass() * g * 4;  // 1 m and 3 m down
     double worst = 0;
     for (int tick = 0; tick < 3600; ++tick) {
@@ -104,10 +97,10 @@ TEST_CASE("a hundred balls on a hung plate, more than can bounce one by one, bou
     World world({.sleeping = false});
     const BodyId ground = world.add({.type = BodyType::Static});
     const BodyId plate = world.add({.mass = Mass{1e5, {0, 0}, 1e7}, .shapes = {plumb::box({60, 0.5})}});
-    world.join(plumb::PrismaticJointDef{.bodyA = ground, .bodyB = plate, .axis = {1, 0}});
+    world.join(PrismaticJointDef{.bodyA = ground, .bodyB = plate, .axis = {1, 0}});
     std::vector<BodyId> balls;
     for (int i = 0; i < 100; ++i)
-        balls.push_back(world.add({.position = {i - 50.0, 2}, .shapes = {plumb::circle(0.3, {.restitution = 0.8})}}));
+        balls.push_back(world.add({.position = {i - 50.0, 2}, .shapes = {circle(0.3, {.restitution = 0.8})}}));
     const double start = energyOf(world);
     double highest = 0;
     bool came = false;
@@ -128,10 +121,10 @@ TEST_CASE("a bridge of 30 planks between two banks bears a heavy box at its midd
     BodyId last = banks;
     for (int i = 0; i < 30; ++i) {
         const BodyId plank = world.add({.position = {i + 0.5, 0}, .shapes = {plumb::box({0.5, 0.1}, {.density = 20})}});
-        joints.push_back(world.join(plumb::RevoluteJointDef{.bodyA = last, .bodyB = plank, .anchor = {double(i), 0}}));
+        joints.push_back(world.join(RevoluteJointDef{.bodyA = last, .bodyB = plank, .anchor = {double(i), 0}}));
         last = plank;
     }
-    joints.push_back(world.join(plumb::RevoluteJointDef{.bodyA = last, .bodyB = banks, .anchor = {30, 0}}));
+    joints.push_back(world.join(RevoluteJointDef{.bodyA = last, .bodyB = banks, .anchor = {30, 0}}));
     const BodyId box = world.add({.position = {15, 3}, .shapes = {plumb::box({1, 1}, {.density = 100})}});
     const auto worst = [&] {
         double error = 0;
@@ -162,8 +155,8 @@ TEST_CASE("more hinges than a body needs share its load, and swing on", "[dynami
     for (const double x : {-1.0, 0.0, 1.0}) {
         const BodyId arm =
             world.add({.position = Vec2(x, 0) + 0.5 * down, .angle = 1.0, .shapes = {plumb::box({0.02, 0.5})}});
-        joints.push_back(world.join(plumb::RevoluteJointDef{.bodyA = beam, .bodyB = arm, .anchor = {x, 0}}));
-        joints.push_back(world.join(plumb::RevoluteJointDef{.bodyA = arm, .bodyB = seat, .anchor = Vec2(x, 0) + down}));
+        joints.push_back(world.join(RevoluteJointDef{.bodyA = beam, .bodyB = arm, .anchor = {x, 0}}));
+        joints.push_back(world.join(RevoluteJointDef{.bodyA = arm, .bodyB = seat, .anchor = Vec2(x, 0) + down}));
     }
     double worst = 0;
     const double start = energyOf(world);
@@ -183,23 +176,22 @@ TEST_CASE("machines are the same to the bit for any number of lanes", "[dynamics
         std::vector<BodyId> grid;
         for (int i = 0; i < 400; ++i) {
             const Vec2 at(0.5 * (i % 20), -0.5 * (i / 20));
-            grid.push_back(
-                world.add({.position = at, .shapes = {{.shape = plumb::Circle{0.2}, .filter = {.group = -1}}}}));
+            grid.push_back(world.add({.position = at, .shapes = {{.shape = Circle{0.2}, .filter = {.group = -1}}}}));
             const auto hinge = [&](BodyId other, const Vec2& anchor) {
-                world.join(plumb::RevoluteJointDef{.bodyA = other, .bodyB = grid.back(), .anchor = anchor});
+                world.join(RevoluteJointDef{.bodyA = other, .bodyB = grid.back(), .anchor = anchor});
             };
             if (i % 20 > 0) hinge(grid[grid.size() - 2], at - Vec2(0.25, 0));
             if (i >= 20) hinge(grid[grid.size() - 21], at + Vec2(0, 0.25));
             if (i == 0 || i == 19) hinge(frame, at);
         }
         // Not a plain hinge, so swept by itself.
-        world.join(plumb::DistanceJointDef{.bodyA = grid[25],
-                                           .bodyB = grid[68],
-                                           .anchorA = world.body(grid[25]).position(),
-                                           .anchorB = world.body(grid[68]).position()});
+        world.join(DistanceJointDef{.bodyA = grid[25],
+                                    .bodyB = grid[68],
+                                    .anchorA = world.body(grid[25]).position(),
+                                    .anchorB = world.body(grid[68]).position()});
         world.body(grid[395]).applyImpulse({5, 1});
         for (int tick = 0; tick < 120; ++tick) world.step(dt);
-        hashes.push_back(plumb::stateHash(world));
+        hashes.push_back(stateHash(world));
     }
     CHECK(std::count(hashes.begin(), hashes.end(), hashes.front()) == 4);
 }
@@ -217,8 +209,8 @@ TEST_CASE("of five hanging discs one swung sends one out, and two send two", "[d
             const Vec2 pivot(2 * radius * i, 0);
             const double angle = i < swung ? -out : 0;
             discs.push_back(world.add({.position = pivot + length * Vec2(std::sin(angle), -std::cos(angle)),
-                                       .shapes = {plumb::circle(radius, {.friction = 0, .restitution = 1})}}));
-            world.join(plumb::RevoluteJointDef{.bodyA = beam, .bodyB = discs.back(), .anchor = pivot});
+                                       .shapes = {circle(radius, {.friction = 0, .restitution = 1})}}));
+            world.join(RevoluteJointDef{.bodyA = beam, .bodyB = discs.back(), .anchor = pivot});
         }
         const double start = energyOf(world),
                      lift = swung * world.body(discs[0]).mass() * g * length * (1 - std::cos(out));
@@ -253,8 +245,8 @@ TEST_CASE("thirty cradles side by side pass an impact on as one does", "[dynamic
         const Vec2 pivot(2 * radius * (i % 5) + 10 * (i / 5), 0);
         const double angle = i % 5 == 0 ? -out : 0;
         discs.push_back(world.add({.position = pivot + length * Vec2(std::sin(angle), -std::cos(angle)),
-                                   .shapes = {plumb::circle(radius, {.friction = 0, .restitution = 1})}}));
-        world.join(plumb::RevoluteJointDef{.bodyA = beam, .bodyB = discs.back(), .anchor = pivot});
+                                   .shapes = {circle(radius, {.friction = 0, .restitution = 1})}}));
+        world.join(RevoluteJointDef{.bodyA = beam, .bodyB = discs.back(), .anchor = pivot});
     }
     std::vector<double> farthest(discs.size(), 0.0);
     for (int tick = 0; tick < 100; ++tick) {  // 1.67 s: the last discs go out and turn back

@@ -8,17 +8,8 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyDef;
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Filter;
-using plumb::Material;
-using plumb::Mix;
-using plumb::ShapeDef;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::g;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -53,7 +44,7 @@ TEST_CASE("a disc with rolling resistance 0.2 slows down at 2/3 0.2 g = 1.308 m/
     const BodyId disc = world.add({.position = {0, 0.5},
                                    .velocity = {2, 0},
                                    .angularVelocity = -4,
-                                   .shapes = {plumb::circle(0.5, {.friction = 0.8, .rollingResistance = 0.2})}});
+                                   .shapes = {circle(0.5, {.friction = 0.8, .rollingResistance = 0.2})}});
     for (int tick = 1; tick <= 150; ++tick) {
         world.step(dt);
         const Stopping truth = stopping(2, 2.0 / 3 * 0.2 * g, tick * dt);
@@ -70,7 +61,7 @@ TEST_CASE("rolling resistance of the floor holds as well as the disc's, the larg
         const BodyId disc = world.add({.position = {0, 0.5},
                                        .velocity = {2, 0},
                                        .angularVelocity = -4,
-                                       .shapes = {plumb::circle(0.5, {.friction = 0.8, .rollingResistance = ofDisc})}});
+                                       .shapes = {circle(0.5, {.friction = 0.8, .rollingResistance = ofDisc})}});
         for (int tick = 0; tick < 30; ++tick) world.step(dt);
         return world.body(disc).velocity().x();
     };
@@ -88,8 +79,8 @@ TEST_CASE("a disc with rolling resistance 0.3 stays on 15 degrees and rolls down
         const double tilt = degrees * std::numbers::pi / 180;
         World world = tiltedFloorWorld({.friction = 1}, tilt);
         const Vec2 up(-std::sin(tilt), std::cos(tilt)), down(-std::cos(tilt), -std::sin(tilt));
-        const BodyId disc = world.add(
-            {.position = 0.5 * up, .shapes = {plumb::circle(0.5, {.friction = 1, .rollingResistance = 0.3})}});
+        const BodyId disc =
+            world.add({.position = 0.5 * up, .shapes = {circle(0.5, {.friction = 1, .rollingResistance = 0.3})}});
         for (int tick = 0; tick < 120; ++tick) world.step(dt);
         const double a = std::max(0.0, 2.0 / 3 * g * (std::sin(tilt) - 0.3 * std::cos(tilt)));
         const double way = (world.body(disc).position() - 0.5 * up).dot(down);
@@ -129,8 +120,8 @@ TEST_CASE("a belt runs clockwise: its top to +x, its bottom to -x, its right sid
             World world({.gravity = -g * side.outward});
             const Material belt{.friction = 1, .surfaceSpeed = 1};
             const Vec2 end = 20 * side.along;
-            world.add({.type = BodyType::Static,
-                       .shapes = {line ? plumb::segment(-end, end, belt) : plumb::box({10, 10}, belt)}});
+            world.add(
+                {.type = BodyType::Static, .shapes = {line ? segment(-end, end, belt) : plumb::box({10, 10}, belt)}});
             const Vec2 start = (line ? 0.5 : 10.5) * side.outward;
             const BodyId box = world.add({.position = start, .shapes = {plumb::box({0.5, 0.5}, {.friction = 1})}});
             for (int tick = 0; tick < 60; ++tick) world.step(dt);
@@ -143,7 +134,7 @@ TEST_CASE("a belt runs clockwise: its top to +x, its bottom to -x, its right sid
 TEST_CASE("a disc set on a belt of 3 m/s ends up at 1 m/s, spinning at 2 m/s over its radius",
           "[dynamics][law][materials]") {
     World world = tiltedFloorWorld({.friction = 0.5, .surfaceSpeed = 3});
-    const BodyId disc = world.add({.position = {0, 0.25}, .shapes = {plumb::circle(0.25, {.friction = 0.5})}});
+    const BodyId disc = world.add({.position = {0, 0.25}, .shapes = {circle(0.25, {.friction = 0.5})}});
     for (int tick = 0; tick < 120; ++tick) world.step(dt);
     CHECK(std::fabs(world.body(disc).velocity().x() - 1) < 5e-3);
     CHECK(std::fabs(world.body(disc).angularVelocity() - 8) < 4e-2);
@@ -194,12 +185,10 @@ TEST_CASE("restitution 0.4 on 0.9 is 0.65, 0.6, 0.4, 0.36 or 0.9 by the pair's r
     for (std::size_t a = 0; a < rules.size(); ++a) {
         for (std::size_t b = 0; b < rules.size(); ++b) {
             World world({.gravity = {0, 0}});
-            world.add(
-                {.type = BodyType::Static,
-                 .shapes = {plumb::segment({-5, 0}, {5, 0}, {.restitution = 0.9, .restitutionMix = rules[a].mix})}});
+            world.add({.type = BodyType::Static,
+                       .shapes = {segment({-5, 0}, {5, 0}, {.restitution = 0.9, .restitutionMix = rules[a].mix})}});
             const Material material{.restitution = 0.4, .restitutionMix = rules[b].mix};
-            const BodyId disc =
-                world.add({.position = {0, 1}, .velocity = {0, -3}, .shapes = {plumb::circle(0.5, material)}});
+            const BodyId disc = world.add({.position = {0, 1}, .velocity = {0, -3}, .shapes = {circle(0.5, material)}});
             for (int tick = 0; tick < 30; ++tick) world.step(dt);
             CHECK(std::fabs(world.body(disc).velocity().y() - 3 * ruling(a, b).of04and09) < 1e-9);
         }
@@ -225,9 +214,9 @@ TEST_CASE("a group above 0 collides whatever the masks say, one below 0 never, a
           Case{with({}, 3), with({}, 4), true}, Case{with({}, -3), with({}, 3), true},
           Case{{.category = high}, {.mask = high}, true}, Case{{.category = high}, {.mask = 1}, false}}) {
         World world;
-        world.add({.type = BodyType::Static,
-                   .shapes = {ShapeDef{.shape = plumb::Segment{{-5, 0}, {5, 0}}, .filter = c.floor}}});
-        ShapeDef disc = plumb::circle(0.5);
+        world.add(
+            {.type = BodyType::Static, .shapes = {ShapeDef{.shape = Segment{{-5, 0}, {5, 0}}, .filter = c.floor}}});
+        ShapeDef disc = circle(0.5);
         disc.filter = c.ball;
         const BodyId ball = world.add({.position = {0, 1}, .shapes = {disc}});
         for (int tick = 0; tick < 90; ++tick) world.step(dt);

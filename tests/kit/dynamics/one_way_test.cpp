@@ -8,16 +8,8 @@
 #include "kit/dynamics/worlds.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyDef;
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Material;
-using plumb::ShapeDef;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::g;
-using plumb::test::steps;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -29,15 +21,14 @@ ShapeDef oneWay(ShapeDef shape, const Vec2& direction = {0, 1}) {
 /// Three kinds of platform with its top at y = 0.
 std::vector<ShapeDef> platforms(const Material& material = {}) {
     ShapeDef thick = plumb::box({5, 0.1}, material);
-    thick.shape = plumb::boxPolygon({5, 0.1}, {0, -0.1});
-    return {oneWay(plumb::segment({-5, 0}, {5, 0}, material)),
-            oneWay(plumb::chain({{-5, 0}, {-2, 0}, {1, 0}, {5, 0}}, material)), oneWay(thick)};
+    thick.shape = boxPolygon({5, 0.1}, {0, -0.1});
+    return {oneWay(segment({-5, 0}, {5, 0}, material)), oneWay(chain({{-5, 0}, {-2, 0}, {1, 0}, {5, 0}}, material)),
+            oneWay(thick)};
 }
 
 /// Players half a metre high above and below their centre.
 std::vector<ShapeDef> players(const Material& material = {}) {
-    return {plumb::box({0.3, 0.5}, material), plumb::capsule({0, -0.2}, {0, 0.2}, 0.3, material),
-            plumb::circle(0.5, material)};
+    return {plumb::box({0.3, 0.5}, material), capsule({0, -0.2}, {0, 0.2}, 0.3, material), circle(0.5, material)};
 }
 
 template <class Visit>
@@ -113,14 +104,14 @@ TEST_CASE("a player whose jump ends 3 mm above a platform stands on it", "[dynam
 
 TEST_CASE("an edit of a one-way shape decides anew who stands on it", "[dynamics][one way]") {
     World world;
-    const BodyId floor = world.add({.type = BodyType::Static, .shapes = {plumb::segment({-5, 0}, {5, 0})}});
+    const BodyId floor = world.add({.type = BodyType::Static, .shapes = {segment({-5, 0}, {5, 0})}});
     const BodyId box = world.add({.position = {0, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
     steps(world, 90);
-    world.shape({floor, 0}).set(oneWay(plumb::segment({-5, 0}, {5, 0})));
+    world.shape({floor, 0}).set(oneWay(segment({-5, 0}, {5, 0})));
     CHECK(world.body(box).awake());
     steps(world, 90);
     CHECK(std::fabs(world.body(box).position().y() - 0.5) < 1e-3);
-    world.shape({floor, 0}).set(oneWay(plumb::segment({-5, 0}, {5, 0}), {0, -1}));
+    world.shape({floor, 0}).set(oneWay(segment({-5, 0}, {5, 0}), {0, -1}));
     steps(world, 60);
     CHECK(world.body(box).position().y() < -2);
 }
@@ -176,7 +167,7 @@ TEST_CASE("a lift with one-way floor carries a player up and down at 1 m/s, with
 TEST_CASE("a lift comes down through a player who stands below, and takes him up when it has", "[dynamics][one way]") {
     forEachPairing([](int lanes, const ShapeDef& platform, const ShapeDef& shape) {
         World world = worldOf(lanes);
-        world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::segment({-5, 0}, {5, 0})}});
+        world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {segment({-5, 0}, {5, 0})}});
         const BodyId lift = world.add({.type = BodyType::Kinematic, .position = {0, 1}, .shapes = {platform}});
         const BodyId player = world.add({.position = {0, -0.5}, .fixedRotation = true, .shapes = {shape}});
         world.body(lift).setVelocity({0, -1});
@@ -195,7 +186,7 @@ TEST_CASE("a platform tilted by 30 degrees holds a block from above and lets one
     for (const ShapeDef& platform : platforms({.friction = 1})) {
         World world;
         const double tilt = 0.5235987755982988;
-        const plumb::Rot turn = plumb::Rot::fromAngle(tilt);
+        const Rot turn = Rot::fromAngle(tilt);
         world.add({.type = BodyType::Static, .angle = tilt, .shapes = {platform}});
         const ShapeDef block = plumb::box({0.3, 0.3}, {.friction = 1});
         // They cannot turn: what lands on a slope may tumble down.
@@ -219,7 +210,7 @@ TEST_CASE("a player walks over the seams of one-way tiles without falling throug
         for (const ShapeDef& shape : players()) {
             World world;
             ShapeDef tile = oneWay(plumb::box({0.5, 0.1}));
-            tile.shape = plumb::boxPolygon({0.5, 0.1}, {0, -0.1});
+            tile.shape = boxPolygon({0.5, 0.1}, {0, -0.1});
             for (int i = 0; i < 40; ++i)
                 world.add({.type = BodyType::Static, .position = {i * 1.0, 0}, .shapes = {tile}});
             BodyDef walker{.position = {0, 0.5}, .fixedRotation = true, .shapes = {shape}};
@@ -259,13 +250,12 @@ TEST_CASE("a ball at e = 0.8 thrown up through a platform passes as if it were n
         for (const ShapeDef& platform : platforms()) {
             World world({.solver = {.lanes = lanes}});
             world.add({.type = BodyType::Static, .shapes = {platform}});
-            world.add(
-                {.position = {0, -1.5}, .velocity = {0, 8}, .shapes = {plumb::circle(0.5, {.restitution = 0.8})}});
+            world.add({.position = {0, -1.5}, .velocity = {0, 8}, .shapes = {circle(0.5, {.restitution = 0.8})}});
             const double apex = -2 + 64 / (2 * g);  // of its lowest point
             std::vector<double> approach;
             for (int tick = 0; tick < 150; ++tick) {
                 world.step(dt);
-                for (const plumb::ContactBegin& begin : world.contactBegins()) approach.push_back(begin.approachSpeed);
+                for (const ContactBegin& begin : world.contactBegins()) approach.push_back(begin.approachSpeed);
             }
             REQUIRE(approach.size() >= 2);
             CHECK(std::fabs(approach[0] - std::sqrt(2 * g * apex)) < 1e-9);
@@ -278,10 +268,9 @@ TEST_CASE("a ball that bounces between floor and ceiling passes a platform upwar
           "[dynamics][one way]") {
     World world({.gravity = {0, 0}});
     const Material elastic{.friction = 0, .restitution = 1};
-    world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::segment({-5, 0}, {5, 0}, elastic)}});
-    world.add({.type = BodyType::Static, .shapes = {oneWay(plumb::segment({-5, 0}, {5, 0}, elastic))}});
-    const BodyId ball =
-        world.add({.position = {0, -0.5}, .velocity = {0, -120}, .shapes = {plumb::circle(0.1, elastic)}});
+    world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {segment({-5, 0}, {5, 0}, elastic)}});
+    world.add({.type = BodyType::Static, .shapes = {oneWay(segment({-5, 0}, {5, 0}, elastic))}});
+    const BodyId ball = world.add({.position = {0, -0.5}, .velocity = {0, -120}, .shapes = {circle(0.1, elastic)}});
     world.step(dt);  // 0.4 m down to the floor, then up: 1.6 m
     CHECK(std::fabs(world.body(ball).position().y() - (-0.9 + 1.6)) < 1e-9);
     steps(world, 10);
@@ -291,18 +280,18 @@ TEST_CASE("a ball that bounces between floor and ceiling passes a platform upwar
 TEST_CASE("a rule is asked once as two come near, with what it may go by, and its answer holds until they part",
           "[dynamics][one way]") {
     static int asked;
-    static plumb::ContactCandidate last;
+    static ContactCandidate last;
     asked = 0;
-    ShapeDef floor = plumb::segment({-5, 0}, {5, 0});
+    ShapeDef floor = segment({-5, 0}, {5, 0});
     floor.tag = 7;
-    floor.rule = [](const plumb::ContactCandidate& question) {
+    floor.rule = [](const ContactCandidate& question) {
         ++asked;
         last = question;
         return question.otherTag != 13;
     };
     World world;
     world.add({.type = BodyType::Static, .angle = 0.25, .shapes = {floor}});
-    ShapeDef ball = plumb::circle(0.5), ghost = ball;
+    ShapeDef ball = circle(0.5), ghost = ball;
     ball.tag = 12;
     ghost.tag = 13;
     const BodyId held = world.add({.position = {0, 3}, .shapes = {ball}});
@@ -311,7 +300,7 @@ TEST_CASE("a rule is asked once as two come near, with what it may go by, and it
     CHECK(last.tag == 7);
     CHECK(last.otherTag == 12);
     CHECK((last.localNormal - Vec2(0, 1)).norm() < 1e-6);
-    CHECK((last.normal - plumb::Rot::fromAngle(0.25) * Vec2(0, 1)).norm() < 1e-6);
+    CHECK((last.normal - Rot::fromAngle(0.25) * Vec2(0, 1)).norm() < 1e-6);
     CHECK(last.velocity.y() < -6);
     CHECK(world.body(held).velocity().norm() < 6);
     const BodyId through = world.add({.position = {0, 3}, .shapes = {ghost}});
@@ -322,11 +311,11 @@ TEST_CASE("a rule is asked once as two come near, with what it may go by, and it
 }
 
 TEST_CASE("two shapes touch only if the rules of both say so", "[dynamics][one way]") {
-    const plumb::ContactRule yes = [](const plumb::ContactCandidate&) { return true; };
-    const plumb::ContactRule no = [](const plumb::ContactCandidate&) { return false; };
+    const ContactRule yes = [](const ContactCandidate&) { return true; };
+    const ContactRule no = [](const ContactCandidate&) { return false; };
     for (int both = 0; both < 4; ++both) {
         World world;
-        ShapeDef floor = plumb::segment({-5, 0}, {5, 0}), ball = plumb::circle(0.5);
+        ShapeDef floor = segment({-5, 0}, {5, 0}), ball = circle(0.5);
         floor.rule = (both & 1) != 0 ? yes : no;
         ball.rule = (both & 2) != 0 ? yes : no;
         world.add({.type = BodyType::Static, .shapes = {floor}});
@@ -352,16 +341,7 @@ TEST_CASE("a hundred balls thrown through and onto one-way platforms have the sa
                        .shapes = {player}});
         }
         steps(world, 300);
-        hashes.push_back(plumb::stateHash(world));
+        hashes.push_back(stateHash(world));
     }
     for (const std::uint64_t hash : hashes) CHECK(hash == hashes[0]);
-}
-
-TEST_CASE("a one-way direction of no length or no number is refused", "[dynamics][one way][errors]") {
-    World world;
-    const auto add = [&](const Vec2& direction) {
-        world.add({.type = BodyType::Static, .shapes = {oneWay(plumb::circle(1), direction)}});
-    };
-    CHECK_THROWS_WITH(add({0, 0}), plumb::test::containsText("BodyDef.shapes[0].oneWay: (0, 0)"));
-    CHECK_THROWS_WITH(add({std::nan(""), 1}), plumb::test::containsText("BodyDef.shapes[0].oneWay: (nan, 1)"));
 }

@@ -14,16 +14,8 @@
 #include "kit/dynamics/sliders.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyDef;
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Random;
-using plumb::ShapeDef;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::Slider;
-using plumb::test::sliderOf;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -33,7 +25,7 @@ Slider sliderWithFriction(Slider slider, double friction) {
 }
 
 ShapeDef mapOf(const std::vector<std::string>& rows, double friction) {
-    return plumb::tiles(plumb::tileMapOf(rows), {.friction = friction});
+    return plumb::tiles(tileMapOf(rows), {.friction = friction});
 }
 
 struct Step {
@@ -98,7 +90,7 @@ TEST_CASE("a box at 7 m/s does not hop where a one-way top ends flush at a solid
 }
 
 TEST_CASE("2,000 bodies slide over random rows of one-way and solid tiles as over a slab", "[dynamics][tiles]") {
-    for (int seed = 0; seed < plumb::test::cases(2000); ++seed) {
+    for (int seed = 0; seed < cases(2000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         std::vector<std::string> rows(2);
         for (int column = 0; column < 40; ++column) {
@@ -130,7 +122,7 @@ std::vector<Step> enter(const Entrance& e, char tile, int ticks) {
     const double f = e.mirrored ? -1 : 1;
     if (e.mirrored)
         for (std::string& row : rows) std::reverse(row.begin(), row.end());
-    const plumb::Aabb box = aabbOf(e.slider.shape.shape, {});
+    const Aabb box = aabbOf(e.slider.shape.shape, {});
     const double x = 4 - e.away - box.upper.x();
     const BodyDef body{.position = {e.mirrored ? 8 - x : x, 2 - e.feet + e.slider.below},
                        .velocity = {f * e.velocity.x(), e.velocity.y()},
@@ -162,20 +154,20 @@ bool requireAsWithout(const Entrance& e, int ticks) {
 TEST_CASE("2,000 bodies of 10 cm to 3 m that walk within one-way tiles meet the wall behind as without the tiles",
           "[dynamics][tiles]") {
     int stopped = 0;
-    for (int seed = 0; seed < plumb::test::cases(2000); ++seed) {
+    for (int seed = 0; seed < cases(2000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Slider slider = sliderWithFriction(sliderOf(random.integer(0, 3), random.uniform(0.05, 1.5)), 0);
         const Entrance e{slider, 1, random.uniform(0.01, 1), {random.uniform(0.1, 20), 0}, random.integer(0, 1) == 0};
         INFO("seed " << seed << ": " << slider.name << " " << slider.below << " m at " << e.velocity.x() << " m/s");
         stopped += requireAsWithout(e, 120) ? 1 : 0;
     }
-    CHECK(stopped > plumb::test::cases(2000) / 5);
+    CHECK(stopped > cases(2000) / 5);
 }
 
 TEST_CASE("2,000 bodies that come up through one-way tiles, or fall back, meet the wall beside as without the tiles",
           "[dynamics][tiles]") {
     int stopped = 0;
-    for (int seed = 0; seed < plumb::test::cases(2000); ++seed) {
+    for (int seed = 0; seed < cases(2000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Slider slider = sliderWithFriction(sliderOf(random.integer(0, 3), random.uniform(0.05, 1)), 0);
         const Entrance e{slider,
@@ -187,12 +179,12 @@ TEST_CASE("2,000 bodies that come up through one-way tiles, or fall back, meet t
                      << e.velocity.transpose() << " m/s");
         stopped += requireAsWithout(e, 60) ? 1 : 0;
     }
-    CHECK(stopped > plumb::test::cases(2000) / 5);
+    CHECK(stopped > cases(2000) / 5);
 }
 
 TEST_CASE("2,000 bodies that come to a lone one-way tile from below or from the side fly on as if there were none",
           "[dynamics][tiles]") {
-    for (int seed = 0; seed < plumb::test::cases(2000); ++seed) {
+    for (int seed = 0; seed < cases(2000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Slider slider = sliderOf(random.integer(0, 3), random.uniform(0.1, 0.9));
         // The tile's top lies at 0 <= x <= 1, y = 0. From below, or from the side with the feet deeper than 5 mm.
@@ -206,8 +198,7 @@ TEST_CASE("2,000 bodies that come to a lone one-way tile from below or from the 
         const double gravity = rises || random.integer(0, 1) == 0 ? 9.81 : 0;
         INFO("seed " << seed << ": " << slider.name << " " << slider.below << " m, feet " << feet << " below, at "
                      << velocity.transpose() << " m/s");
-        const std::vector<Step> path =
-            pathOf(body, {fixed(plumb::tiles(plumb::tileMapOf({"="})), {0, -1})}, 60, gravity);
+        const std::vector<Step> path = pathOf(body, {fixed(plumb::tiles(tileMapOf({"="})), {0, -1})}, 60, gravity);
         const std::vector<Step> free = pathOf(body, {}, 60, gravity);
         for (std::size_t i = 0; i < path.size(); ++i) {
             // What comes down, and steeper than by 45 degrees, may land.
@@ -221,39 +212,39 @@ TEST_CASE(
     "1,000 crates that fall on the ends of one-way tiles, turned by up to 20 degrees, tip or rest as on a solid line",
     "[dynamics][tiles]") {
     int held = 0;
-    for (int seed = 0; seed < plumb::test::cases(1000); ++seed) {
+    for (int seed = 0; seed < cases(1000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const double x = random.integer(0, 1) == 0 ? random.uniform(-0.2, 0.5) : random.uniform(2.5, 3.2);
         const BodyDef crate{.position = {x, random.uniform(0.7, 2)},
                             .angle = random.uniform(-0.35, 0.35),
                             .velocity = {0, -random.uniform(0, 10)},
                             .shapes = {plumb::box({0.4, 0.4}, {.friction = 1})}};
-        const plumb::Material rough{.friction = 1};
-        const BodyDef tiles = fixed(plumb::tiles(plumb::tileMapOf({"==="}), rough), {0, -1});
+        const Material rough{.friction = 1};
+        const BodyDef tiles = fixed(plumb::tiles(tileMapOf({"==="}), rough), {0, -1});
         const std::vector<Step> onTiles = pathOf(crate, {tiles}, 120);
-        const std::vector<Step> onLine = pathOf(crate, {fixed(plumb::segment({3, 1}, {0, 1}, rough), {0, -1})}, 120);
+        const std::vector<Step> onLine = pathOf(crate, {fixed(segment({3, 1}, {0, 1}, rough), {0, -1})}, 120);
         INFO("seed " << seed << ": at " << x << " m, turned by " << crate.angle << ", at " << crate.velocity.y());
         // After some bounces they are mm apart, but rest or fall alike.
         CHECK((onTiles.back().position.y() > 0.39) == (onLine.back().position.y() > 0.39));
         held += onTiles.back().position.y() > 0.39 ? 1 : 0;
     }
-    CHECK(held > plumb::test::cases(1000) / 4);
+    CHECK(held > cases(1000) / 4);
 }
 
 TEST_CASE("a mover at 3 to 25 m/s walks over rows of one-way and solid tiles at its speed, always on the floor",
           "[movers][tiles]") {
-    for (int seed = 0; seed < plumb::test::cases(300); ++seed) {
+    for (int seed = 0; seed < cases(300); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         std::string row;
         for (int column = 0; column < 60; ++column) row += random.integer(0, 1) == 0 ? '=' : '#';
         World world({.gravity = {0, 0}});
-        world.add(fixed(plumb::tiles(plumb::tileMapOf({row}))));
+        world.add(fixed(plumb::tiles(tileMapOf({row}))));
         const Slider slider = sliderOf(random.integer(0, 3), random.uniform(0.1, 0.9));
         const double speed = random.uniform(3, 25);
         const BodyId hero =
             world.add({.type = BodyType::Kinematic, .position = {2, 1.01 + slider.below}, .shapes = {slider.shape}});
         INFO("seed " << seed << ": " << slider.name << " at " << speed << " m/s over " << row);
-        plumb::Slide slide;
+        Slide slide;
         for (int tick = 0; tick < 120; ++tick) {
             slide = moveAndSlide(world, hero, {.velocity = {speed, -5}, .dt = dt}, {}, slide);
             world.step(dt);

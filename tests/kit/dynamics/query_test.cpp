@@ -188,36 +188,6 @@ TEST_CASE("a ray and a disc still meet the floor after a ball was put 1e99 m awa
     CHECK(world.body(ball).quarantined());
 }
 
-TEST_CASE("queries refuse what is no place, no shape and no distance, by name and value", "[dynamics]") {
-    World world;
-    const BodyId body = addBox(world, {0, 0});
-    const auto refuses = [](auto&& call, const std::string& text) {
-        CHECK_THAT(complaintOf(call), containsText(text));
-    };
-    const Transform bent{{0, 0}, {1, 1}};
-    const Shape disc = Circle{1}, none = Circle{-1};
-    refuses([&] { world.castRay({nan, 0}, {1, 0}); }, "World.castRay: from: (nan, 0) is not finite");
-    refuses([&] { world.castRay({0, 0}, {1, infinity}); }, "World.castRay: to: (1, inf) is not finite");
-    refuses([&] { world.castRayAll({nan, 0}, {1, 0}); }, "World.castRayAll: from: (nan, 0)");
-    refuses([&] { world.castRayAll({0, 0}, {1, infinity}); }, "World.castRayAll: to: (1, inf)");
-    refuses([&] { world.castShape(none, {}, {1, 0}); }, "World.castShape: shape.radius: -1 is not positive");
-    refuses([&] { world.castShape(disc, {{0, nan}, {}}, {1, 0}); }, "World.castShape: pose.position: (0, nan)");
-    refuses([&] { world.castShape(disc, bent, {1, 0}); }, "World.castShape: pose.rotation: (1, 1) is not the cosine");
-    refuses([&] { world.castShape(disc, {}, {nan, 0}); }, "World.castShape: shift: (nan, 0)");
-    refuses([&] { world.castShapeAll(none, {}, {1, 0}); }, "World.castShapeAll: shape.radius");
-    refuses([&] { world.castShapeAll(disc, {}, {infinity, 0}); }, "World.castShapeAll: shift: (inf, 0)");
-    refuses([&] { world.overlapBox({{nan, 0}, {1, 1}}); }, "World.overlapBox: box.lower: (nan, 0)");
-    refuses([&] { world.overlapBox({{0, 0}, {1, infinity}}); }, "World.overlapBox: box.upper: (1, inf)");
-    refuses([&] { world.overlapBox({{0, 0}, {1, -1}}); }, "World.overlapBox: box.upper: (1, -1) is below box.lower");
-    refuses([&] { world.overlapShape(none, {}); }, "World.overlapShape: shape.radius");
-    refuses([&] { world.overlapPoint({0, infinity}); }, "World.overlapPoint: point: (0, inf)");
-    refuses([&] { world.nearest({nan, 0}, 1); }, "World.nearest: point: (nan, 0)");
-    refuses([&] { world.nearest({0, 0}, -1); }, "World.nearest: within: -1 is not a distance");
-    refuses([&] { world.nearest({0, 0}, nan); }, "World.nearest: within: nan is not a distance");
-    refuses([&] { world.distance({body, 1}, {body, 0}); }, "World.distance: a.number: 1 names no shape");
-    refuses([&] { world.distance({body, 0}, {}); }, "World.distance: b.body");
-}
-
 TEST_CASE("of a chain of three links a cast's pieces are three hits, all of it one, of a body that is ignored none",
           "[dynamics]") {
     World world;

@@ -11,15 +11,12 @@
 #include "cases.h"
 #include "catch.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Random;
-using plumb::Vec2;
-using plumb::World;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
-World onFloor(const plumb::WorldDef& def = {}) {
+World onFloor(const WorldDef& def = {}) {
     World world(def);
     world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::box({40, 1})}});
     return world;
@@ -97,7 +94,7 @@ struct Pyramid {
 }  // namespace
 
 TEST_CASE("a column of forty boxes that are kept awake stands for a minute", "[dynamics][rest]") {
-    for (int seed = 0; seed < plumb::test::allCases(4); ++seed) {
+    for (int seed = 0; seed < allCases(4); ++seed) {
         World world = onFloor({.gravity = {0, -10}, .sleeping = false});
         const std::vector<BodyId> column = columnOf(world, 40, static_cast<std::uint64_t>(seed));
         for (int tick = 0; tick < 3600; ++tick) world.step(1.0 / 60);
@@ -159,7 +156,7 @@ TEST_CASE("elastic discs under gravity keep their energy and their box, however 
             constexpr int count = 36;
             constexpr double radius = 0.3;
             const double side = std::sqrt(count * 3.14159265358979 * radius * radius / filled);
-            const plumb::Material elastic{.friction = 0, .restitution = 1};
+            const Material elastic{.friction = 0, .restitution = 1};
             World world({.gravity = {0, -9.81}, .sleeping = false});
             for (const Vec2& wall : {Vec2(0.5, -0.5), Vec2(0.5, 1.5), Vec2(-0.5, 0.5), Vec2(1.5, 0.5)})
                 world.add({.type = BodyType::Static,
@@ -173,7 +170,7 @@ TEST_CASE("elastic discs under gravity keep their energy and their box, however 
                 discs.push_back(
                     world.add({.position = {radius + 1e-3 + pitch * (i % 6), radius + 1e-3 + pitch * (i / 6)},
                                .velocity = {3 * std::cos(angle), 3 * std::sin(angle)},
-                               .shapes = {plumb::circle(radius, elastic)}}));
+                               .shapes = {circle(radius, elastic)}}));
             }
             const auto energy = [&] {
                 double sum = 0;

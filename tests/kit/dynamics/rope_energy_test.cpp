@@ -10,12 +10,8 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::ShapeDef;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::g;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -33,14 +29,14 @@ void hangRope(World& world, RopeKind kind, int links, double angle) {
     BodyId last = world.add({.type = BodyType::Static});
     for (int i = 1; i <= links; ++i) {
         const double middle = kind == RopeKind::Bars ? i - 0.5 : i * length;
-        const ShapeDef shape = kind == RopeKind::Bars ? plumb::box({0.5, 0.03}) : plumb::circle(0.1);
+        const ShapeDef shape = kind == RopeKind::Bars ? box({0.5, 0.03}) : circle(0.1);
         const BodyId body = world.add(
             {.position = along * middle, .angle = std::atan2(along.y(), along.x()), .shapes = {ghost(shape)}});
         const Vec2 from = world.body(last).position(), to = world.body(body).position();
         if (kind == RopeKind::Rods)
-            world.join(plumb::DistanceJointDef{.bodyA = last, .bodyB = body, .anchorA = from, .anchorB = to});
+            world.join(DistanceJointDef{.bodyA = last, .bodyB = body, .anchorA = from, .anchorB = to});
         else
-            world.join(plumb::RevoluteJointDef{
+            world.join(RevoluteJointDef{
                 .bodyA = last,
                 .bodyB = body,
                 .anchor = kind == RopeKind::Bars ? Vec2(along * (i - 1.0)) : Vec2(along * ((i - 0.5) * length))});
@@ -51,7 +47,7 @@ void hangRope(World& world, RopeKind kind, int links, double angle) {
 double mechanicalEnergyOf(const World& world) {
     double energy = 0;
     for (const BodyId id : world.bodies()) {
-        const plumb::BodyView body = world.body(id);
+        const BodyView body = world.body(id);
         if (body.type() != BodyType::Dynamic) continue;
         const double spin = body.angularVelocity();
         energy += 0.5 * body.mass() * body.velocity().squaredNorm() + 0.5 * body.inertia() * spin * spin +
@@ -96,9 +92,8 @@ TEST_CASE("ropes let go from any angle gain at most 1 % of their fall in a minut
           "[dynamics][joints][law]") {
     // What is left: where a rope of hinged discs cracks like a whip within a step, the number of pieces in which it
     // moves changes, and the error of second order that its energy had then stays. 0.8 % is the most in 165 ropes.
-    const std::vector<int> links = plumb::test::allCases(11) == 11
-                                       ? std::vector<int>{1, 2, 3, 4, 5, 7, 10, 14, 20, 28, 40}
-                                       : std::vector<int>{1, 3, 7, 20};
+    const std::vector<int> links =
+        allCases(11) == 11 ? std::vector<int>{1, 2, 3, 4, 5, 7, 10, 14, 20, 28, 40} : std::vector<int>{1, 3, 7, 20};
     int many = 0, few = 0;
     for (const RopeKind kind : {RopeKind::Rods, RopeKind::Bars, RopeKind::Discs})
         for (const int count : links)
@@ -120,19 +115,19 @@ TEST_CASE("ropes let go from any angle gain at most 1 % of their fall in a minut
 TEST_CASE("a double pendulum and a four-bar keep their energy to 0.1 % for a minute at 60 Hz",
           "[dynamics][joints][law]") {
     const auto bar = [](World& world, const Vec2& at, double angle) {
-        return world.add({.position = at, .angle = angle, .shapes = {ghost(plumb::box({0.5, 0.05}))}});
+        return world.add({.position = at, .angle = angle, .shapes = {ghost(box({0.5, 0.05}))}});
     };
     for (const bool isFourBar : {false, true}) {
         World world({.gravity = {0, -g}, .sleeping = false});
         const BodyId ground = world.add({.type = BodyType::Static});
         const BodyId a = isFourBar ? bar(world, {0, -0.5}, 1.5707963) : bar(world, {0.5, 0}, 0);
         const BodyId b = isFourBar ? bar(world, {0.5, -1}, 0) : bar(world, {1.5, 0}, 0);
-        world.join(plumb::RevoluteJointDef{.bodyA = ground, .bodyB = a, .anchor = {0, 0}});
-        world.join(plumb::RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = isFourBar ? Vec2(0, -1) : Vec2(1, 0)});
+        world.join(RevoluteJointDef{.bodyA = ground, .bodyB = a, .anchor = {0, 0}});
+        world.join(RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = isFourBar ? Vec2(0, -1) : Vec2(1, 0)});
         if (isFourBar) {
             const BodyId c = bar(world, {1, -0.5}, 1.5707963);
-            world.join(plumb::RevoluteJointDef{.bodyA = b, .bodyB = c, .anchor = {1, -1}});
-            world.join(plumb::RevoluteJointDef{.bodyA = ground, .bodyB = c, .anchor = {1, 0}});
+            world.join(RevoluteJointDef{.bodyA = b, .bodyB = c, .anchor = {1, -1}});
+            world.join(RevoluteJointDef{.bodyA = ground, .bodyB = c, .anchor = {1, 0}});
             for (const BodyId upright : {a, c}) {
                 world.body(upright).setVelocity({1, 0});
                 world.body(upright).setAngularVelocity(2);
@@ -149,15 +144,15 @@ TEST_CASE("a double pendulum and a four-bar keep their energy to 0.1 % for a min
 TEST_CASE("a truss of 2 to 40 bays under a load of a ton keeps its rods to 0.1 mm", "[dynamics][joints]") {
     for (const int bays : {2, 4, 8, 15, 16, 17, 24, 40}) {
         World world({.gravity = {0, -g}, .sleeping = false});
-        std::vector<plumb::JointId> rods;
+        std::vector<JointId> rods;
         std::vector<BodyId> low, high;
         const auto node = [&](const Vec2& at, bool fixed) {
             return world.add({.type = fixed ? BodyType::Static : BodyType::Dynamic,
                               .position = at,
-                              .shapes = {ghost(plumb::circle(0.1, {.density = 100}))}});
+                              .shapes = {ghost(circle(0.1, {.density = 100}))}});
         };
         const auto join = [&](BodyId a, BodyId b) {
-            rods.push_back(world.join(plumb::DistanceJointDef{
+            rods.push_back(world.join(DistanceJointDef{
                 .bodyA = a, .bodyB = b, .anchorA = world.body(a).position(), .anchorB = world.body(b).position()}));
         };
         for (int i = 0; i <= bays; ++i) low.push_back(node({2.0 * i, 0}, i == 0 || i == bays));
@@ -170,12 +165,12 @@ TEST_CASE("a truss of 2 to 40 bays under a load of a ton keeps its rods to 0.1 m
         }
         const BodyId middle = low[low.size() / 2];
         const BodyId load =
-            world.add({.position = world.body(middle).position() - Vec2(0, 1), .mass = plumb::Mass{1000, {0, 0}, 100}});
+            world.add({.position = world.body(middle).position() - Vec2(0, 1), .mass = Mass{1000, {0, 0}, 100}});
         join(middle, load);
         double widest = 0;
         for (int tick = 0; tick < 300; ++tick) {
             world.step(1.0 / 60);
-            for (const plumb::JointId rod : rods) widest = std::max(widest, world.joint(rod).error());
+            for (const JointId rod : rods) widest = std::max(widest, world.joint(rod).error());
         }
         INFO(bays << " bays: " << widest << " m");
         CHECK(widest < 1e-4);

@@ -12,14 +12,8 @@
 #include "kit/dynamics/worlds.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyDef;
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::ShapeDef;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::weightless;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -47,7 +41,7 @@ Visits visitsOf(World& world, int ticks) {
 TEST_CASE("a ball that falls through a gate begins and ends with it when it overlaps and no more, and falls as without",
           "[dynamics][sensor]") {
     World world, empty;
-    const BodyDef ball{.position = {0, 5}, .shapes = {plumb::circle(0.25)}};
+    const BodyDef ball{.position = {0, 5}, .shapes = {circle(0.25)}};
     const BodyId falling = world.add(ball);
     const BodyId gate = world.add({.type = BodyType::Static, .shapes = {asSensor(plumb::box({1, 0.5}))}});
     empty.add(ball);
@@ -65,8 +59,8 @@ TEST_CASE("a ball that falls through a gate begins and ends with it when it over
         ++changes;
         inside = overlaps;
         if (!inside) continue;
-        CHECK(world.sensorBegins()[0].sensor == plumb::ShapeId{gate, 0});
-        CHECK(world.sensorBegins()[0].visitor == plumb::ShapeId{falling, 0});
+        CHECK(world.sensorBegins()[0].sensor == ShapeId{gate, 0});
+        CHECK(world.sensorBegins()[0].visitor == ShapeId{falling, 0});
     }
     CHECK(changes == 2);
 }
@@ -77,7 +71,7 @@ TEST_CASE("every kind of body sees every kind pass but static what is static, an
         for (const BodyType other : {BodyType::Static, BodyType::Kinematic, BodyType::Dynamic}) {
             for (const bool both : {false, true}) {
                 World world = weightless();
-                world.add({.type = own, .shapes = {asSensor(plumb::circle(1))}});
+                world.add({.type = own, .shapes = {asSensor(circle(1))}});
                 world.add({.type = other,
                            .position = {0.5, 0},
                            .shapes = {both ? asSensor(plumb::box({1, 1})) : plumb::box({1, 1})}});
@@ -90,16 +84,16 @@ TEST_CASE("every kind of body sees every kind pass but static what is static, an
 
 TEST_CASE("a box that sleeps in a sensor stays in it, and is not woken by one that comes", "[dynamics][sensor]") {
     World world;
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-5, 0}, {5, 0})}});
+    world.add({.type = BodyType::Static, .shapes = {segment({-5, 0}, {5, 0})}});
     const BodyId box = world.add({.position = {0, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
-    world.add({.type = BodyType::Static, .shapes = {asSensor(plumb::circle(1))}});
+    world.add({.type = BodyType::Static, .shapes = {asSensor(circle(1))}});
     Visits visits = visitsOf(world, 120);
     CHECK_FALSE(world.body(box).awake());
     CHECK(visits.begins == 1);
     CHECK(visits.ends == 0);
     world.add({.type = BodyType::Static, .shapes = {asSensor(plumb::box({2, 2}))}});
     const BodyId rover = world.add(
-        {.type = BodyType::Kinematic, .position = {-3, 0}, .velocity = {1, 0}, .shapes = {asSensor(plumb::circle(1))}});
+        {.type = BodyType::Kinematic, .position = {-3, 0}, .velocity = {1, 0}, .shapes = {asSensor(circle(1))}});
     visits = visitsOf(world, 360);
     CHECK_FALSE(world.body(box).awake());
     CHECK(visits.begins == 2 + 1);  // and the rover sees the floor
@@ -110,8 +104,8 @@ TEST_CASE("a box that sleeps in a sensor stays in it, and is not woken by one th
 TEST_CASE("a visit ends when either is removed, disabled or set elsewhere", "[dynamics][sensor]") {
     for (int way = 0; way < 6; ++way) {
         World world = weightless();
-        const BodyId gate = world.add({.type = BodyType::Static, .shapes = {asSensor(plumb::circle(1))}});
-        const BodyId ball = world.add({.shapes = {plumb::circle(0.5)}});
+        const BodyId gate = world.add({.type = BodyType::Static, .shapes = {asSensor(circle(1))}});
+        const BodyId ball = world.add({.shapes = {circle(0.5)}});
         CHECK(visitsOf(world, 2).begins == 1);
         const BodyId changed = way % 2 == 0 ? gate : ball;
         if (way / 2 == 0) world.remove(changed);
@@ -127,8 +121,8 @@ TEST_CASE("a visit ends when either is removed, disabled or set elsewhere", "[dy
 
 TEST_CASE("a ball set from one place in a sensor to another stays in it without an event", "[dynamics][sensor]") {
     World world = weightless();
-    world.add({.type = BodyType::Static, .shapes = {asSensor(plumb::circle(2))}});
-    const BodyId ball = world.add({.shapes = {plumb::circle(0.5)}});
+    world.add({.type = BodyType::Static, .shapes = {asSensor(circle(2))}});
+    const BodyId ball = world.add({.shapes = {circle(0.5)}});
     CHECK(visitsOf(world, 2).begins == 1);
     world.body(ball).setPose({1, 0}, 0);
     const Visits visits = visitsOf(world, 3);
@@ -140,7 +134,7 @@ TEST_CASE("a bullet at 500 m/s through a sensor 1 cm thick begins and ends in on
     for (const double y : {0.0, 1.2}) {
         World world = weightless();
         world.add({.type = BodyType::Static, .shapes = {asSensor(plumb::box({0.005, 1}))}});
-        world.add({.position = {-12, y}, .velocity = {500, 0}, .shapes = {plumb::circle(0.05)}});
+        world.add({.position = {-12, y}, .velocity = {500, 0}, .shapes = {circle(0.05)}});
         const Visits visits = visitsOf(world, 10);
         CHECK(visits.begins == (y == 0 ? 1 : 0));
         CHECK(visits.ends == (y == 0 ? 1 : 0));
@@ -150,9 +144,9 @@ TEST_CASE("a bullet at 500 m/s through a sensor 1 cm thick begins and ends in on
 TEST_CASE("a bullet that a wall sends back through a sensor before it is seen to pass once a step",
           "[dynamics][sensor]") {
     World world = weightless();
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({0, -5}, {0, 5}, {.restitution = 1})}});
+    world.add({.type = BodyType::Static, .shapes = {segment({0, -5}, {0, 5}, {.restitution = 1})}});
     world.add({.type = BodyType::Static, .position = {-1, 0}, .shapes = {asSensor(plumb::box({0.005, 1}))}});
-    world.add({.position = {-4, 0}, .velocity = {480, 0}, .shapes = {plumb::circle(0.05)}});
+    world.add({.position = {-4, 0}, .velocity = {480, 0}, .shapes = {circle(0.05)}});
     world.step(dt);  // to the wall at 3.95 m and 4.05 m back
     CHECK(world.sensorBegins().size() == 1);
     CHECK(world.sensorEnds().size() == 1);
@@ -161,11 +155,10 @@ TEST_CASE("a bullet that a wall sends back through a sensor before it is seen to
 TEST_CASE("a chain of a hundred pieces that moves across a sensor is one visitor, in once and out once",
           "[dynamics][sensor]") {
     World world = weightless();
-    world.add({.type = BodyType::Static, .shapes = {asSensor(plumb::circle(1))}});
+    world.add({.type = BodyType::Static, .shapes = {asSensor(circle(1))}});
     std::vector<Vec2> points;
     for (int i = 0; i <= 100; ++i) points.emplace_back(-5 + 0.1 * i, 0.1 * std::sin(i));
-    world.add(
-        {.type = BodyType::Kinematic, .position = {-10, 0}, .velocity = {10, 0}, .shapes = {plumb::chain(points)}});
+    world.add({.type = BodyType::Kinematic, .position = {-10, 0}, .velocity = {10, 0}, .shapes = {chain(points)}});
     const Visits visits = visitsOf(world, 120);
     CHECK(visits.begins == 1);
     CHECK(visits.ends == 1);
@@ -173,10 +166,10 @@ TEST_CASE("a chain of a hundred pieces that moves across a sensor is one visitor
 
 TEST_CASE("filters keep a sensor from telling of what it is not to see", "[dynamics][sensor]") {
     World world = weightless();
-    ShapeDef gate = asSensor(plumb::circle(1));
+    ShapeDef gate = asSensor(circle(1));
     gate.filter.mask = 2;
     world.add({.type = BodyType::Static, .shapes = {gate}});
-    ShapeDef seen = plumb::circle(0.5), unseen = seen;
+    ShapeDef seen = circle(0.5), unseen = seen;
     seen.filter.category = 2;
     const BodyId ball = world.add({.shapes = {seen}});
     world.add({.position = {1, 0}, .shapes = {unseen}});
@@ -187,9 +180,9 @@ TEST_CASE("filters keep a sensor from telling of what it is not to see", "[dynam
 
 TEST_CASE("a sensor weighs what its density says and stands in nothing's way", "[dynamics][sensor]") {
     World world;
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-5, 0}, {5, 0})}});
+    world.add({.type = BodyType::Static, .shapes = {segment({-5, 0}, {5, 0})}});
     ShapeDef wide = asSensor(plumb::box({2, 2}));
-    const BodyId ball = world.add({.position = {0, 1}, .shapes = {plumb::circle(0.5), wide}});
+    const BodyId ball = world.add({.position = {0, 1}, .shapes = {circle(0.5), wide}});
     CHECK(std::fabs(world.body(ball).mass() - (16 + 0.25 * 3.14159265358979)) < 1e-9);
     for (int tick = 0; tick < 120; ++tick) world.step(dt);
     CHECK(std::fabs(world.body(ball).position().y() - 0.5) < 1e-3);
@@ -198,9 +191,9 @@ TEST_CASE("a sensor weighs what its density says and stands in nothing's way", "
 // Here nothing collides; for what is deflected see deflected_visits_test.cpp.
 TEST_CASE("what sensors have told is what overlaps, in 200 steps of 30 worlds of flying shapes",
           "[dynamics][sensor][law]") {
-    plumb::Random random(11);
+    Random random(11);
     using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
-    const auto keyOf = [](const plumb::ShapeId& s, const plumb::ShapeId& v) {
+    const auto keyOf = [](const ShapeId& s, const ShapeId& v) {
         return Key(s.body.index, s.number, v.body.index, v.number);
     };
     std::size_t changes = 0;
@@ -222,11 +215,11 @@ TEST_CASE("what sensors have told is what overlaps, in 200 steps of 30 worlds of
             const int shapes = random.integer(1, 3);
             for (int s = 0; s < shapes; ++s) {
                 const Vec2 at(random.uniform(-2, 2), 0);
-                ShapeDef shape = plumb::circle(random.uniform(0.1, 1));
+                ShapeDef shape = circle(random.uniform(0.1, 1));
                 if (random.integer(0, 1) == 0)
-                    shape.shape = plumb::boxPolygon({random.uniform(0.1, 1), 0.4}, at);
+                    shape.shape = boxPolygon({random.uniform(0.1, 1), 0.4}, at);
                 else if (random.integer(0, 2) == 0 && def.type != BodyType::Dynamic)
-                    shape = plumb::chain({{-1, 0}, {0, 0.5}, {1, 0}, {2, 1}});
+                    shape = chain({{-1, 0}, {0, 0.5}, {1, 0}, {2, 1}});
                 shape.sensor = random.integer(0, 1) == 0;
 
                 shape.filter.category = shape.sensor ? 2 : 1;
@@ -250,8 +243,8 @@ TEST_CASE("what sensors have told is what overlaps, in 200 steps of 30 worlds of
                     for (std::uint32_t i = 0; i < defs[a].shapes.size(); ++i) {
                         for (std::uint32_t j = 0; j < defs[b].shapes.size(); ++j) {
                             if (!defs[a].shapes[i].sensor || defs[b].shapes[j].sensor) continue;
-                            const double apart = plumb::distance(defs[a].shapes[i].shape, world.body(ids[a]).pose(),
-                                                                 defs[b].shapes[j].shape, world.body(ids[b]).pose())
+                            const double apart = distance(defs[a].shapes[i].shape, world.body(ids[a]).pose(),
+                                                          defs[b].shapes[j].shape, world.body(ids[b]).pose())
                                                      .separation;
                             if (apart <= 0) truth.insert(keyOf({ids[a], i}, {ids[b], j}));
                         }

@@ -7,25 +7,13 @@
 #include "catch.h"
 #include "kit/dynamics/edited.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Mass;
-using plumb::ShapeDef;
-using plumb::ShapeId;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::containsText;
-using plumb::test::dt;
-using plumb::test::Rest;
-using plumb::test::shapeAt;
-using plumb::test::spinning;
-using plumb::test::stackOf;
-using plumb::test::steps;
+using namespace plumb;
+using namespace plumb::test;
 
 TEST_CASE("shapes added and removed 200 times weigh what they weigh together", "[dynamics][editing]") {
-    plumb::Random random(5);
+    Random random(5);
     World world({.gravity = {0, 0}});
-    std::vector<ShapeDef> kept{plumb::circle(0.3)};
+    std::vector<ShapeDef> kept{circle(0.3)};
     const BodyId body = world.add(spinning(kept));
     for (int i = 0; i < 200; ++i) {
         const std::vector<ShapeId> ids = world.body(body).shapes();
@@ -49,9 +37,9 @@ TEST_CASE("shapes added and removed 200 times weigh what they weigh together", "
 
 TEST_CASE("numbers of shapes count on, and a removed one's is refused for ever", "[dynamics][editing]") {
     World world;
-    const BodyId body = world.add({.shapes = {plumb::circle(1), plumb::circle(2)}});
+    const BodyId body = world.add({.shapes = {circle(1), circle(2)}});
     world.remove(ShapeId{body, 1});
-    const ShapeId third = world.add(body, plumb::circle(3));
+    const ShapeId third = world.add(body, circle(3));
     CHECK(third.number == 2);
     CHECK(world.body(body).shapes() == std::vector<ShapeId>{{body, 0}, {body, 2}});
     CHECK(world.contains(third));
@@ -61,15 +49,15 @@ TEST_CASE("numbers of shapes count on, and a removed one's is refused for ever",
     CHECK_THROWS_WITH(world.remove(ShapeId{{}, 0}), containsText("ShapeId.body"));
     world.shape({body, 0}).set(plumb::box({1, 1}));
     CHECK(world.body(body).shapes() == std::vector<ShapeId>{{body, 0}, {body, 2}});
-    CHECK(std::get<plumb::Polygon>(world.shape({body, 0}).def().shape).vertices.size() == 4);
+    CHECK(std::get<Polygon>(world.shape({body, 0}).def().shape).vertices.size() == 4);
 }
 
 TEST_CASE("a shape is given back as it was given, a chain whole", "[dynamics][editing]") {
     World world;
-    ShapeDef path = plumb::chain({{0, 0}, {1, 0}, {2, 1}, {5, 2}}, {.friction = 0.3}), ring = path, line = path;
-    ring.shape = plumb::Chain{{{0, 0}, {1, 0}, {0, 1}}, true};
-    line.shape = plumb::Chain{{{0, 0}, {1, 0}}};
-    ShapeDef one = plumb::segment({0, 0}, {1, 1});
+    ShapeDef path = chain({{0, 0}, {1, 0}, {2, 1}, {5, 2}}, {.friction = 0.3}), ring = path, line = path;
+    ring.shape = Chain{{{0, 0}, {1, 0}, {0, 1}}, true};
+    line.shape = Chain{{{0, 0}, {1, 0}}};
+    ShapeDef one = segment({0, 0}, {1, 1});
     one.tag = 99;
     one.oneWay = Vec2(0, 1);
     const BodyId body = world.add({.type = BodyType::Static, .shapes = {path, one, ring, line}});
@@ -117,8 +105,8 @@ TEST_CASE("a box on the floor that grows ten times as heavy keeps its touch and 
         CHECK(world.contactBegins().size() + world.contactEnds().size() == 0);
     }
     double force = 0;
-    const plumb::Contact contact = world.body(rest.box).contacts()[0];
-    for (const plumb::ContactPoint& point : contact.points) force += point.normalForce;
+    const Contact contact = world.body(rest.box).contacts()[0];
+    for (const ContactPoint& point : contact.points) force += point.normalForce;
     CHECK(std::fabs(force - 98.1) < 0.5);
     CHECK(world.body(rest.box).inertia() == 10.0 / 6);
     world.body(rest.box).setMassFromShapes();
@@ -128,22 +116,22 @@ TEST_CASE("a box on the floor that grows ten times as heavy keeps its touch and 
 TEST_CASE("a box whose centre of mass is moved beyond its support tips over, and its contacts stay where they are",
           "[dynamics][editing]") {
     World world;
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-5, 0}, {0, 0})}});
+    world.add({.type = BodyType::Static, .shapes = {segment({-5, 0}, {0, 0})}});
     const BodyId box = world.add({.position = {-0.2, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
     steps(world, 60);
     world.body(box).setMass({1, {0.3, 0}, 0.2});
     world.step(dt);
     REQUIRE(world.body(box).contacts().size() == 1);
-    const plumb::Contact contact = world.body(box).contacts()[0];
-    for (const plumb::ContactPoint& point : contact.points) CHECK(std::fabs(point.position.y()) < 2e-3);
+    const Contact contact = world.body(box).contacts()[0];
+    for (const ContactPoint& point : contact.points) CHECK(std::fabs(point.position.y()) < 2e-3);
     steps(world, 60);
     CHECK(world.body(box).position().y() < 0.3);
 }
 
 TEST_CASE("a given mass outlasts new shapes and a time as a static body", "[dynamics][editing]") {
     World world;
-    const BodyId body = world.add({.mass = Mass{3, {0.1, 0}, 2}, .shapes = {plumb::circle(1)}});
-    world.add(body, plumb::circle(5));
+    const BodyId body = world.add({.mass = Mass{3, {0.1, 0}, 2}, .shapes = {circle(1)}});
+    world.add(body, circle(5));
     CHECK(world.body(body).mass() == 3);
     world.body(body).setType(BodyType::Static);
     CHECK(world.body(body).mass() == 0);
@@ -177,10 +165,10 @@ TEST_CASE("a filter that lets in what it kept out finds what lies there, wider, 
 
 TEST_CASE("a filter decides anew who is in a sensor", "[dynamics][editing][sensor]") {
     World world({.gravity = {0, 0}});
-    ShapeDef gate = plumb::circle(1);
+    ShapeDef gate = circle(1);
     gate.sensor = true;
     const BodyId sensor = world.add({.type = BodyType::Static, .shapes = {gate}});
-    world.add({.shapes = {plumb::circle(0.5)}});
+    world.add({.shapes = {circle(0.5)}});
     steps(world, 3);
     for (int i = 0; i < 4; ++i) {
         gate.filter.mask = i % 2 == 0 ? 2 : 1;
@@ -197,7 +185,7 @@ TEST_CASE("a floor made a sensor lets a ball through and tells of it, solid agai
           "[dynamics][editing][sensor]") {
     World world;
     const BodyId floor = world.add({.type = BodyType::Static, .shapes = {plumb::box({5, 0.5})}});
-    const BodyId ball = world.add({.position = {0, 1}, .shapes = {plumb::circle(0.5)}});
+    const BodyId ball = world.add({.position = {0, 1}, .shapes = {circle(0.5)}});
     steps(world, 60);
     ShapeDef def = world.shape({floor, 0}).def();
     def.sensor = true;

@@ -9,12 +9,8 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::JointId;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -24,18 +20,18 @@ struct Net {
     std::vector<JointId> hinges;
     int columns = 0;
 
-    Net(World& world, const Vec2& corner, int columnCount, int rows, const plumb::Breaking& breaking = {})
+    Net(World& world, const Vec2& corner, int columnCount, int rows, const Breaking& breaking = {})
         : columns(columnCount) {
         for (int i = 0; i < columns * rows; ++i) {
             const Vec2 at = corner + Vec2(i % columns, -(i / columns));
-            discs.push_back(world.add(
-                {.position = at,
-                 .shapes = {{.shape = plumb::Circle{0.3}, .material = {.density = 0.3}, .filter = {.mask = 0}}}}));
+            discs.push_back(
+                world.add({.position = at,
+                           .shapes = {{.shape = Circle{0.3}, .material = {.density = 0.3}, .filter = {.mask = 0}}}}));
             const auto hinge = [&](int to, const Vec2& aside) {
-                hinges.push_back(world.join(plumb::RevoluteJointDef{.bodyA = discs[static_cast<std::size_t>(to)],
-                                                                    .bodyB = discs.back(),
-                                                                    .anchor = at + aside,
-                                                                    .breaking = breaking}));
+                hinges.push_back(world.join(RevoluteJointDef{.bodyA = discs[static_cast<std::size_t>(to)],
+                                                             .bodyB = discs.back(),
+                                                             .anchor = at + aside,
+                                                             .breaking = breaking}));
             };
             if (i % columns > 0) hinge(i - 1, {-0.5, 0});
             if (i >= columns) hinge(i - columns, {0, 0.5});
@@ -48,33 +44,33 @@ struct Net {
 std::vector<JointId> joinPlanks(World& world, const std::vector<BodyId>& planks) {
     const auto between = [](int i) { return Vec2(-5.5 + i, 3); };
     const auto a = [&](int i) { return planks[static_cast<std::size_t>(i)]; };
-    const plumb::Spring spring = plumb::springOf(4, 0.3, 0.2);
-    return {world.join(plumb::RevoluteJointDef{.bodyA = a(0),
-                                               .bodyB = a(1),
-                                               .anchor = between(0),
-                                               .limit = plumb::Limit{-0.3, 0.3},
-                                               .motorSpeed = 2,
-                                               .maxMotorTorque = 0.1}),
-            world.join(plumb::WeldJointDef{.bodyA = a(1), .bodyB = a(2), .anchor = between(1)}),
-            world.join(plumb::PrismaticJointDef{.bodyA = a(2),
-                                                .bodyB = a(3),
-                                                .anchor = between(2),
-                                                .axis = {1, 0},
-                                                .limit = plumb::Limit{-0.2, 0.2},
-                                                .spring = spring}),
-            world.join(plumb::RevoluteJointDef{.bodyA = a(3), .bodyB = a(4), .anchor = between(3)}),
-            world.join(plumb::DistanceJointDef{
+    const Spring spring = springOf(4, 0.3, 0.2);
+    return {world.join(RevoluteJointDef{.bodyA = a(0),
+                                        .bodyB = a(1),
+                                        .anchor = between(0),
+                                        .limit = Limit{-0.3, 0.3},
+                                        .motorSpeed = 2,
+                                        .maxMotorTorque = 0.1}),
+            world.join(WeldJointDef{.bodyA = a(1), .bodyB = a(2), .anchor = between(1)}),
+            world.join(PrismaticJointDef{.bodyA = a(2),
+                                         .bodyB = a(3),
+                                         .anchor = between(2),
+                                         .axis = {1, 0},
+                                         .limit = Limit{-0.2, 0.2},
+                                         .spring = spring}),
+            world.join(RevoluteJointDef{.bodyA = a(3), .bodyB = a(4), .anchor = between(3)}),
+            world.join(DistanceJointDef{
                 .bodyA = a(4), .bodyB = a(5), .anchorA = between(4) - Vec2(0.2, 0), .anchorB = between(4)}),
-            world.join(plumb::WheelJointDef{.bodyA = a(6), .bodyB = a(7), .anchor = between(6), .spring = spring}),
-            world.join(plumb::WeldJointDef{.bodyA = a(7), .bodyB = a(8), .anchor = between(7), .bending = spring}),
-            world.join(plumb::MotorJointDef{.bodyA = a(8), .bodyB = a(9), .maxForce = 5, .maxTorque = 1}),
-            world.join(plumb::PulleyJointDef{.bodyA = a(10),
-                                             .bodyB = a(11),
-                                             .groundA = {4, 6},
-                                             .groundB = {5, 6},
-                                             .anchorA = {4, 3},
-                                             .anchorB = {5, 3}}),
-            world.join(plumb::TargetJointDef{.body = a(0), .anchor = {-6, 3}, .target = {-6, 4}, .maxForce = 50})};
+            world.join(WheelJointDef{.bodyA = a(6), .bodyB = a(7), .anchor = between(6), .spring = spring}),
+            world.join(WeldJointDef{.bodyA = a(7), .bodyB = a(8), .anchor = between(7), .bending = spring}),
+            world.join(MotorJointDef{.bodyA = a(8), .bodyB = a(9), .maxForce = 5, .maxTorque = 1}),
+            world.join(PulleyJointDef{.bodyA = a(10),
+                                      .bodyB = a(11),
+                                      .groundA = {4, 6},
+                                      .groundB = {5, 6},
+                                      .anchorA = {4, 3},
+                                      .anchorB = {5, 3}}),
+            world.join(TargetJointDef{.body = a(0), .anchor = {-6, 3}, .target = {-6, 4}, .maxForce = 50})};
 }
 
 }  // namespace
@@ -86,11 +82,10 @@ TEST_CASE("a load at the corner of a net opens its hinges to a bound: not at all
         Net net(world, {0, 0}, columns, columns == 12 ? 12 : 6);
         const int rows = columns == 12 ? 12 : 6;
         const BodyId beam = world.add({.type = BodyType::Static});
+        net.hinges.push_back(world.join(RevoluteJointDef{.bodyA = beam, .bodyB = net.disc(0, 0), .anchor = {0, 0.5}}));
+        const BodyId load = world.add({.position = {0, -1.0 * rows}, .mass = Mass{100, {0, 0}, 10}});
         net.hinges.push_back(
-            world.join(plumb::RevoluteJointDef{.bodyA = beam, .bodyB = net.disc(0, 0), .anchor = {0, 0.5}}));
-        const BodyId load = world.add({.position = {0, -1.0 * rows}, .mass = plumb::Mass{100, {0, 0}, 10}});
-        net.hinges.push_back(world.join(
-            plumb::RevoluteJointDef{.bodyA = net.disc(0, rows - 1), .bodyB = load, .anchor = {0, 0.5 - rows}}));
+            world.join(RevoluteJointDef{.bodyA = net.disc(0, rows - 1), .bodyB = load, .anchor = {0, 0.5 - rows}}));
         const auto widest = [&](int ticks) {
             for (int tick = 0; tick < ticks; ++tick) world.step(dt);
             double open = 0;
@@ -110,10 +105,10 @@ TEST_CASE("swept machines of every joint come to no harm, and to the same bits f
     for (const int lanes : {1, 16}) {
         World world({.solver = {.lanes = lanes}});
         const BodyId ground =
-            world.add({.type = BodyType::Static, .shapes = {plumb::segment({-9, 0}, {9, 0}, {.friction = 0.5})}});
+            world.add({.type = BodyType::Static, .shapes = {segment({-9, 0}, {9, 0}, {.friction = 0.5})}});
         std::vector<BodyId> planks;
         for (int i = 0; i < 12; ++i)
-            planks.push_back(world.add({.position = {-6 + 1.0 * i, 3}, .shapes = {plumb::box({0.45, 0.1})}}));
+            planks.push_back(world.add({.position = {-6 + 1.0 * i, 3}, .shapes = {box({0.45, 0.1})}}));
         std::vector<JointId> joints = joinPlanks(world, planks);
         // A net without weight makes one machine of them all, of 121 loops.
         const Net net(world, {-6, 15}, 12, 12);
@@ -121,7 +116,7 @@ TEST_CASE("swept machines of every joint come to no harm, and to the same bits f
         for (const BodyId disc : net.discs) world.body(disc).setGravityScale(0);
         joints.insert(joints.end(), net.hinges.begin(), net.hinges.end());
         for (const int i : {0, 6, 10})
-            joints.push_back(world.join(plumb::RevoluteJointDef{
+            joints.push_back(world.join(RevoluteJointDef{
                 .bodyA = net.disc(i, 11), .bodyB = planks[static_cast<std::size_t>(i)], .anchor = {-6.0 + i, 3.5}}));
         double worst = 0;
         for (int tick = 0; tick < 600; ++tick) {
@@ -131,7 +126,7 @@ TEST_CASE("swept machines of every joint come to no harm, and to the same bits f
         CHECK(world.contains(ground));
         CHECK(worst < 0.05);
         for (const BodyId plank : planks) CHECK(world.body(plank).velocity().norm() < 1);
-        hashes.push_back(plumb::stateHash(world));
+        hashes.push_back(stateHash(world));
     }
     CHECK(hashes[0] == hashes[1]);
 }

@@ -6,11 +6,7 @@
 #include <plumb/plumb.h>
 #include "catch.h"
 
-using plumb::BodyId;
-using plumb::ShapeDef;
-using plumb::TileMap;
-using plumb::Vec2;
-using plumb::World;
+using namespace plumb;
 
 namespace {
 
@@ -18,9 +14,9 @@ namespace {
 double movedBy(const ShapeDef& shape, int high, int away) {
     TileMap map({.columns = 48, .rows = 2});
     for (int i = 0; i < 48; ++i)
-        for (int row = 0; row < 2; ++row) map.set({i, row}, {.form = plumb::TileForm::Full});
+        for (int row = 0; row < 2; ++row) map.set({i, row}, {.form = TileForm::Full});
     World world;
-    const BodyId ground = world.add({.type = plumb::BodyType::Static, .shapes = {plumb::tiles(map)}});
+    const BodyId ground = world.add({.type = BodyType::Static, .shapes = {tiles(map)}});
     std::vector<BodyId> stack;
     for (int i = 0; i < high; ++i) stack.push_back(world.add({.position = {18.5, 2.5 + i}, .shapes = {shape}}));
     const auto step = [&world] { world.step(1.0 / 60); };
@@ -40,7 +36,7 @@ double movedBy(const ShapeDef& shape, int high, int away) {
 }  // namespace
 
 TEST_CASE("a body at rest does not move by 1e-6 m when a tile 2 to 20 from it is gone", "[dynamics][tiles]") {
-    for (const ShapeDef& shape : {plumb::box({0.5, 0.5}), plumb::circle(0.5)})
+    for (const ShapeDef& shape : {box({0.5, 0.5}), circle(0.5)})
         for (const int away : {2, 3, 8, 12, 15, 20}) {
             INFO("away " << away);
             CHECK(movedBy(shape, 1, away) < 1e-6);
@@ -51,6 +47,6 @@ TEST_CASE("a stack of five boxes gives way by less than 0.5 mm when a tile in li
           "[dynamics][tiles]") {
     // The row is another piece then, whose contacts begin with what one box would press, not five: the lowest gives way
     // for some steps by as much as four boxes weigh, 4 * 5/8 g / (2 pi 60)^2 = 0.17 mm, and swings back.
-    CHECK(movedBy(plumb::box({0.5, 0.5}), 5, 8) < 5e-4);
-    CHECK(movedBy(plumb::box({0.5, 0.5}), 5, 20) < 1e-6);
+    CHECK(movedBy(box({0.5, 0.5}), 5, 8) < 5e-4);
+    CHECK(movedBy(box({0.5, 0.5}), 5, 20) < 1e-6);
 }

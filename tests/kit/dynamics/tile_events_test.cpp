@@ -12,17 +12,8 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Cell;
-using plumb::Random;
-using plumb::ShapeId;
-using plumb::TileForm;
-using plumb::TileKind;
-using plumb::TileMap;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -60,9 +51,8 @@ void scatter(World& world, Random& random) {
     for (int i = 0; i < 40; ++i) {
         const double size = random.uniform(0.1, 0.3), x = random.uniform(0, mapColumns), y = random.uniform(0, mapRows);
         const double u = random.uniform(-8, 8), v = random.uniform(-8, 8);
-        const plumb::ShapeDef shapes[] = {plumb::circle(size), plumb::box({size, size / 2}),
-                                          plumb::capsule({-size, 0}, {size, 0}, size / 2)};
-        const plumb::BodyDef def{.position = {x, y}, .velocity = {u, v}, .shapes = {shapes[random.integer(0, 2)]}};
+        const ShapeDef shapes[] = {circle(size), box({size, size / 2}), capsule({-size, 0}, {size, 0}, size / 2)};
+        const BodyDef def{.position = {x, y}, .velocity = {u, v}, .shapes = {shapes[random.integer(0, 2)]}};
         if (world.overlapShape(def.shapes[0].shape, {def.position, {}}).empty()) world.add(def);
     }
 }
@@ -82,7 +72,7 @@ struct Told {
             ++unnamed;
             return;
         }
-        const plumb::Tile met = map.at(*tile);
+        const Tile met = map.at(*tile);
         if (isEmpty(met) || met.kind == TileKind::Sensor)
             ++empty;
         else
@@ -95,11 +85,11 @@ struct Told {
 TEST_CASE("touches in 100 random maps of all kinds and forms name a tile that is there, also across the seam",
           "[dynamics][tiles]") {
     Told told;
-    for (int seed = 0; seed < plumb::test::cases(1000); ++seed) {
+    for (int seed = 0; seed < cases(1000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const TileMap map = randomFormsMap(random);
-        World world({.wrap = {.width = seed % 2 == 0 ? mapColumns : plumb::Wrap{}.width}});
-        const BodyId ground = world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map)}});
+        World world({.wrap = {.width = seed % 2 == 0 ? mapColumns : Wrap{}.width}});
+        const BodyId ground = world.add({.type = BodyType::Static, .shapes = {tiles(map)}});
         scatter(world, random);
         const auto ofMap = [ground](ShapeId a, ShapeId b) { return a.body == ground || b.body == ground; };
         for (int tick = 0; tick < 120; ++tick) {
@@ -116,7 +106,7 @@ TEST_CASE("touches in 100 random maps of all kinds and forms name a tile that is
                     told.note(map, ofMap(contact.shapeA, contact.shapeB), p.tile, p.position, p.separation);
         }
     }
-    CHECK(told.touches > plumb::test::cases(100'000));
+    CHECK(told.touches > cases(100'000));
     CHECK(told.unnamed == 0);
     CHECK(told.empty == 0);
     CHECK(told.named == 0);
@@ -126,10 +116,10 @@ TEST_CASE("touches in 100 random maps of all kinds and forms name a tile that is
 
 TEST_CASE("a ball that rolls from solid tiles onto a hazard is told of the hazard when it comes to it",
           "[dynamics][tiles]") {
-    const TileMap map = plumb::tileMapOf({"..........", "####^^####"});
+    const TileMap map = tileMapOf({"..........", "####^^####"});
     World world;
-    const BodyId ground = world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map)}});
-    const BodyId ball = world.add({.position = {2.5, 1.25}, .velocity = {3, 0}, .shapes = {plumb::circle(0.25)}});
+    const BodyId ground = world.add({.type = BodyType::Static, .shapes = {tiles(map)}});
+    const BodyId ball = world.add({.position = {2.5, 1.25}, .velocity = {3, 0}, .shapes = {circle(0.25)}});
     std::optional<double> first;
     bool also = true;
     for (int tick = 0; tick < 60; ++tick) {
@@ -139,7 +129,7 @@ TEST_CASE("a ball that rolls from solid tiles onto a hazard is told of the hazar
             if (e.tile && map.at(*e.tile).kind == TileKind::Hazard && !first) first = x;
         if (x < 4.1 || x > 5.9) continue;
         const auto contacts = world.body(ball).contacts();
-        also = also && std::any_of(contacts.begin(), contacts.end(), [&](const plumb::Contact& contact) {
+        also = also && std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
                    return map.at(contact.points.at(0).tile.value()).kind == TileKind::Hazard;
                });
     }

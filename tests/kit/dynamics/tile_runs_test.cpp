@@ -11,17 +11,8 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyDef;
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Random;
-using plumb::ShapeDef;
-using plumb::Tile;
-using plumb::TileForm;
-using plumb::TileMap;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -46,19 +37,18 @@ ShapeDef regularPolygon(int sides, double radius) {
         const double angle = 2 * std::numbers::pi * (i + 0.5) / sides - std::numbers::pi / 2;
         corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
-    return plumb::polygon(corners);
+    return polygon(corners);
 }
 
 RunSlider randomRunSlider(Random& random, double friction) {
     const double size = random.uniform(0.2, 1.2);
     switch (random.integer(0, 3)) {
-        case 0: return {shapeWithFriction(plumb::circle(size), friction), size, "disc"};
+        case 0: return {shapeWithFriction(circle(size), friction), size, "disc"};
         case 1: {
             const double height = size * random.uniform(0.4, 1.0);
-            return {shapeWithFriction(plumb::box({size, height}), friction), height, "box"};
+            return {shapeWithFriction(box({size, height}), friction), height, "box"};
         }
-        case 2:
-            return {shapeWithFriction(plumb::capsule({-size, 0}, {size, 0}, size / 2), friction), size / 2, "capsule"};
+        case 2: return {shapeWithFriction(capsule({-size, 0}, {size, 0}, size / 2), friction), size / 2, "capsule"};
         default: {
             const int sides = 2 * random.integer(2, 4);
             return {shapeWithFriction(regularPolygon(sides, size), friction), size * std::cos(std::numbers::pi / sides),
@@ -114,8 +104,7 @@ BodyDef slab(const Run& run) {
     const double length = run.tiles * run.tile / 2, deep = run.tile;
     const Vec2 half = run.wall ? Vec2(deep, length) : Vec2(length, deep);
     const Vec2 center = run.wall ? Vec2(deep, -length) : Vec2(length, -deep);
-    return {
-        .type = BodyType::Static, .position = center, .shapes = {shapeWithFriction(plumb::box(half), run.friction)}};
+    return {.type = BodyType::Static, .position = center, .shapes = {shapeWithFriction(box(half), run.friction)}};
 }
 
 struct RunEnd {
@@ -143,7 +132,7 @@ RunEnd endOf(const Run& run, const BodyDef& ground) {
 TEST_CASE("10,000 runs of discs, boxes, capsules and polygons over flush tiles are those on one slab",
           "[dynamics][tiles]") {
     double farthest = 0, slower = 0, lost = 0;
-    const int runs = plumb::test::cases(10'000);
+    const int runs = cases(10'000);
     for (int seed = 0; seed < runs; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Run run = randomRun(random);

@@ -12,16 +12,8 @@
 #include "kit/dynamics/sliders.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::ShapeDef;
-using plumb::Slide;
-using plumb::TileForm;
-using plumb::TileMap;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
-using plumb::test::smooth;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -42,15 +34,15 @@ struct TipSlider {
     double below;  ///< from its origin to what it slides on [m]
 };
 std::vector<TipSlider> tipSliders(double s) {
-    return {{plumb::box({0.4 * s, 0.4 * s}, smooth), 0.4 * s},
-            {plumb::capsule({-0.3 * s, 0}, {0.3 * s, 0}, 0.4 * s, smooth), 0.4 * s},
-            {plumb::circle(0.45 * s, smooth), 0.45 * s},
-            {plumb::roundedBox({0.3 * s, 0.35 * s}, 0.1 * s, smooth), 0.45 * s}};
+    return {{box({0.4 * s, 0.4 * s}, smooth), 0.4 * s},
+            {capsule({-0.3 * s, 0}, {0.3 * s, 0}, 0.4 * s, smooth), 0.4 * s},
+            {circle(0.45 * s, smooth), 0.45 * s},
+            {roundedBox({0.3 * s, 0.35 * s}, 0.1 * s, smooth), 0.45 * s}};
 }
 
 /// Both ways over the odd tile, for every form and size: run(map, slider, start, way).
 void forAllRows(const auto& run) {
-    const int sizes = plumb::test::cases(40);
+    const int sizes = cases(40);
     int rows = 0;
     for (int form = 1; form <= static_cast<int>(TileForm::GentleDownLow); ++form) {
         for (const bool hanging : {false, true}) {
@@ -74,7 +66,7 @@ TEST_CASE("2,560 smooth bodies slide over a slope that hangs in a floor as over 
           "[dynamics][tiles]") {
     forAllRows([](const TileMap& map, const TipSlider& slider, const Vec2& start, double way) {
         World world;
-        world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map, smooth)}});
+        world.add({.type = BodyType::Static, .shapes = {tiles(map, smooth)}});
         const BodyId body = world.add({.position = start, .velocity = {way * speed, 0}, .shapes = {slider.shape}});
         const int ticks = static_cast<int>(7 * map.size() / (speed * dt));
         for (int tick = 0; tick < ticks; ++tick) world.step(dt);
@@ -88,13 +80,13 @@ TEST_CASE("2,560 movers slide over a slope that hangs in a floor as over a full 
           "[movers][tiles]") {
     forAllRows([](const TileMap& map, const TipSlider& slider, const Vec2& start, double way) {
         World world;
-        world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map)}});
+        world.add({.type = BodyType::Static, .shapes = {tiles(map)}});
         const BodyId body =
             world.add({.type = BodyType::Kinematic, .position = start + Vec2(0, 1e-3), .shapes = {slider.shape}});
         const int ticks = static_cast<int>(7 * map.size() / (speed * dt));
         Slide slide;
         for (int tick = 0; tick < ticks; ++tick) {
-            slide = plumb::moveAndSlide(world, body, {.velocity = {way * speed, -1}, .dt = dt}, {}, slide);
+            slide = moveAndSlide(world, body, {.velocity = {way * speed, -1}, .dt = dt}, {}, slide);
             world.step(dt);
         }
         INFO("form " << static_cast<int>(map.at({6, 0}).form) << ", size " << map.size() << ", way " << way);
@@ -113,13 +105,13 @@ TEST_CASE("a mover goes up and down a wall in which a slope's back is flush, and
             for (const TipSlider& slider : tipSliders(1)) {
                 for (const double way : {-1.0, 1.0}) {
                     World world;
-                    world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map)}});
+                    world.add({.type = BodyType::Static, .shapes = {tiles(map)}});
                     const Vec2 start(1.6, 6.5 - 3.5 * way);
                     const BodyId body =
                         world.add({.type = BodyType::Kinematic, .position = start, .shapes = {slider.shape}});
                     Slide slide;
                     for (int tick = 0; tick < 120; ++tick) {
-                        slide = plumb::moveAndSlide(world, body, {.velocity = {-2, way * speed}, .dt = dt}, {}, slide);
+                        slide = moveAndSlide(world, body, {.velocity = {-2, way * speed}, .dt = dt}, {}, slide);
                         world.step(dt);
                     }
                     CHECK(std::fabs((world.body(body).position() - start).y() - way * speed * 2) < 1e-9);

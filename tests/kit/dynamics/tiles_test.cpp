@@ -12,22 +12,8 @@
 #include "kit/dynamics/worlds.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::CastHit;
-using plumb::Cell;
-using plumb::Random;
-using plumb::ShapeDef;
-using plumb::ShapeId;
-using plumb::Tile;
-using plumb::TileForm;
-using plumb::TileKind;
-using plumb::TileMap;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::containsText;
-using plumb::test::dt;
-using plumb::test::steps;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -40,7 +26,7 @@ struct Ground {
 
 Ground groundOf(const TileMap& map, const Vec2& gravity = {0, -9.81}, const Vec2& at = {0, 0}) {
     World world({.gravity = gravity});
-    const BodyId body = world.add({.type = BodyType::Static, .position = at, .shapes = {plumb::tiles(map)}});
+    const BodyId body = world.add({.type = BodyType::Static, .position = at, .shapes = {tiles(map)}});
     const ShapeId shape = world.body(body).shapes().front();
     return {std::move(world), shape};
 }
@@ -62,8 +48,8 @@ bool isSolidAt(const TileMap& map, const Vec2& point) {
 
 TEST_CASE("a ball dropped on tiles lies on them, and the map is one shape that can be asked for its tiles",
           "[dynamics][tiles]") {
-    Ground ground = groundOf(plumb::tileMapOf({"....", "####"}), {0, -9.81}, {10, 5});
-    const BodyId ball = ground.world.add({.position = {12, 8}, .shapes = {plumb::circle(0.4)}});
+    Ground ground = groundOf(tileMapOf({"....", "####"}), {0, -9.81}, {10, 5});
+    const BodyId ball = ground.world.add({.position = {12, 8}, .shapes = {circle(0.4)}});
     steps(ground.world, 180);
     CHECK(ground.world.body(ball).position().y() == Approx(6.4).margin(1e-3));
     REQUIRE(ground.world.body(ball).contacts().size() == 1);
@@ -73,7 +59,7 @@ TEST_CASE("a ball dropped on tiles lies on them, and the map is one shape that c
 
 TEST_CASE("rays at 300 random maps meet what a walk in steps of 1 mm meets, and name the tile", "[dynamics][tiles]") {
     int hits = 0;
-    for (int seed = 0; seed < plumb::test::cases(3000); ++seed) {
+    for (int seed = 0; seed < cases(3000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const TileMap map = randomFullMap(random);
         const Ground ground = groundOf(map);
@@ -97,12 +83,12 @@ TEST_CASE("rays at 300 random maps meet what a walk in steps of 1 mm meets, and 
         const Vec2 middle = map.centerOf(*hit->tile);
         CHECK((hit->point - middle).cwiseAbs().maxCoeff() <= 0.5 + 1e-9);
     }
-    CHECK(hits > plumb::test::cases(1000));
+    CHECK(hits > cases(1000));
 }
 
 TEST_CASE("3,000 shapes cast at random maps of slopes go as far as among as many separate tiles", "[dynamics][tiles]") {
     int hits = 0;
-    for (int seed = 0; seed < plumb::test::cases(3000); ++seed) {
+    for (int seed = 0; seed < cases(3000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         TileMap map = randomFullMap(random);
         World separate;
@@ -117,14 +103,13 @@ TEST_CASE("3,000 shapes cast at random maps of slopes go as far as among as many
         for (int row = 0; row < map.rows(); ++row)
             for (int column = 0; column < map.columns(); ++column)
                 if (!isEmpty(map.at({column, row})))
-                    separate.add({.type = BodyType::Static, .shapes = {plumb::polygon(map.cornersOf({column, row}))}});
+                    separate.add({.type = BodyType::Static, .shapes = {polygon(map.cornersOf({column, row}))}});
         const Ground ground = groundOf(map);
         const double size = random.uniform(0.1, 0.8);
-        const plumb::Shape shapes[] = {plumb::Circle{size}, plumb::boxPolygon({size, size / 2}),
-                                       plumb::Capsule{{-size, 0}, {size, 0}, size / 3}};
-        const plumb::Shape& shape = shapes[random.integer(0, 2)];
+        const Shape shapes[] = {Circle{size}, boxPolygon({size, size / 2}), Capsule{{-size, 0}, {size, 0}, size / 3}};
+        const Shape& shape = shapes[random.integer(0, 2)];
         const Vec2 from(random.uniform(-2, 26), random.uniform(-2, 22));
-        const plumb::Transform pose{from, plumb::Rot::fromAngle(random.uniform(0, 6.28))};
+        const Transform pose{from, Rot::fromAngle(random.uniform(0, 6.28))};
         const Vec2 shift(random.uniform(-20, 20), random.uniform(-20, 20));
         const auto one = ground.world.castShape(shape, pose, shift), many = separate.castShape(shape, pose, shift);
         INFO("seed " << seed);
@@ -135,12 +120,12 @@ TEST_CASE("3,000 shapes cast at random maps of slopes go as far as among as many
         hits += one->fraction > 0 ? 1 : 0;
         CHECK(one->normal.dot(shift) < 0);
     }
-    CHECK(hits > plumb::test::cases(300));
+    CHECK(hits > cases(300));
 }
 
 TEST_CASE("a map edited 200 times is the map made so from the start, for rays, points and what falls on it",
           "[dynamics][tiles]") {
-    for (int seed = 0; seed < plumb::test::cases(300); ++seed) {
+    for (int seed = 0; seed < cases(300); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         Ground edited = groundOf(randomFullMap(random));
         for (int i = 0; i < 200; ++i) {
@@ -163,8 +148,7 @@ TEST_CASE("a map edited 200 times is the map made so from the start, for rays, p
             REQUIRE(edited.world.overlapPoint(from).size() == fresh.world.overlapPoint(from).size());
         }
         for (int column = 0; column < 24; column += 3) {
-            const plumb::BodyDef ball{
-                .position = {column + 0.5, 21}, .fixedRotation = true, .shapes = {plumb::circle(0.3)}};
+            const BodyDef ball{.position = {column + 0.5, 21}, .fixedRotation = true, .shapes = {circle(0.3)}};
             balls[0].push_back(edited.world.add(ball));
             balls[1].push_back(fresh.world.add(ball));
         }
@@ -192,7 +176,7 @@ TEST_CASE("in 100 random maps of all forms no body's middle comes into what is s
         return true;
     };
     int looked = 0, inside = 0;
-    for (int seed = 0; seed < plumb::test::cases(1000); ++seed) {
+    for (int seed = 0; seed < cases(1000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         TileMap map = randomFullMap(random);
         for (int i = 0; i < 150; ++i)
@@ -202,12 +186,12 @@ TEST_CASE("in 100 random maps of all forms no body's middle comes into what is s
         std::vector<BodyId> bodies;
         for (int i = 0; i < 40; ++i) {
             const double size = random.uniform(0.1, 0.3);
-            const ShapeDef shapes[] = {plumb::circle(size), plumb::box({size, size / 2}),
-                                       plumb::capsule({-size, 0}, {size, 0}, size / 2)};
+            const ShapeDef shapes[] = {circle(size), plumb::box({size, size / 2}),
+                                       capsule({-size, 0}, {size, 0}, size / 2)};
             const Vec2 at(random.uniform(0, 24), random.uniform(0, 24));
-            const plumb::BodyDef def{.position = at,
-                                     .velocity = {random.uniform(-8, 8), random.uniform(-8, 8)},
-                                     .shapes = {shapes[random.integer(0, 2)]}};
+            const BodyDef def{.position = at,
+                              .velocity = {random.uniform(-8, 8), random.uniform(-8, 8)},
+                              .shapes = {shapes[random.integer(0, 2)]}};
             if (ground.world.overlapShape(def.shapes[0].shape, {at, {}}).empty())
                 bodies.push_back(ground.world.add(def));
         }
@@ -217,7 +201,7 @@ TEST_CASE("in 100 random maps of all forms no body's middle comes into what is s
             looked += static_cast<int>(bodies.size());
         }
     }
-    CHECK(looked > plumb::test::cases(1'000'000));
+    CHECK(looked > cases(1'000'000));
     CHECK(inside == 0);
 }
 
@@ -240,7 +224,7 @@ TEST_CASE("a body falls when the tile under it goes, and one that sleeps far alo
 }
 
 TEST_CASE("a tile put into a sleeping body wakes it and moves it out", "[dynamics][tiles]") {
-    Ground ground = groundOf(plumb::tileMapOf({"....", "####"}));
+    Ground ground = groundOf(tileMapOf({"....", "####"}));
     const BodyId box = ground.world.add({.position = {2.2, 1.4}, .shapes = {plumb::box({0.4, 0.4})}});
     steps(ground.world, 120);
     REQUIRE_FALSE(ground.world.body(box).awake());
@@ -251,9 +235,9 @@ TEST_CASE("a tile put into a sleeping body wakes it and moves it out", "[dynamic
 }
 
 TEST_CASE("a one-way tile lets a ball through from below and holds it from above, over 8 tiles", "[dynamics][tiles]") {
-    Ground ground = groundOf(plumb::tileMapOf({"..........", ".========.", "..........", "##########"}));
-    const BodyId ball = ground.world.add(
-        {.position = {2.5, 1.5}, .velocity = {1.5, 8.5}, .shapes = {plumb::circle(0.3, {.friction = 0})}});
+    Ground ground = groundOf(tileMapOf({"..........", ".========.", "..........", "##########"}));
+    const BodyId ball =
+        ground.world.add({.position = {2.5, 1.5}, .velocity = {1.5, 8.5}, .shapes = {circle(0.3, {.friction = 0})}});
     double highest = 0;
     for (int tick = 0; tick < 180; ++tick) {
         ground.world.step(dt);
@@ -266,8 +250,8 @@ TEST_CASE("a one-way tile lets a ball through from below and holds it from above
 }
 
 TEST_CASE("a sensor tile tells what comes and goes, and touches nothing", "[dynamics][tiles]") {
-    Ground ground = groundOf(plumb::tileMapOf({".....", ".~~..", "....."}), {0, 0});
-    const BodyId ball = ground.world.add({.position = {0.5, 1.5}, .velocity = {2, 0}, .shapes = {plumb::circle(0.2)}});
+    Ground ground = groundOf(tileMapOf({".....", ".~~..", "....."}), {0, 0});
+    const BodyId ball = ground.world.add({.position = {0.5, 1.5}, .velocity = {2, 0}, .shapes = {circle(0.2)}});
     int begun = 0, ended = 0;
     for (int tick = 0; tick < 120; ++tick) {
         ground.world.step(dt);
@@ -282,7 +266,7 @@ TEST_CASE("a sensor tile tells what comes and goes, and touches nothing", "[dyna
 
 TEST_CASE("200 discs on a hill of gentle and 45-degree slope tiles go as on a chain along the same line",
           "[dynamics][tiles]") {
-    const TileMap map = plumb::tileMapOf({"....../#34........", "...12#####\\.......", "##################"});
+    const TileMap map = tileMapOf({"....../#34........", "...12#####\\.......", "##################"});
     const std::vector<Vec2> line{{18, 1}, {11, 1}, {10, 2}, {8, 3}, {7, 3}, {6, 2}, {5, 2}, {3, 1}, {0, 1}};
     double worst = 0;
     int over = 0, same = 0;
@@ -290,12 +274,12 @@ TEST_CASE("200 discs on a hill of gentle and 45-degree slope tiles go as on a ch
         Random random(static_cast<std::uint64_t>(seed));
         const double friction = random.integer(0, 1) == 0 ? 0 : random.uniform(0.1, 0.9);
         const double radius = random.uniform(0.2, 0.8);
-        const plumb::BodyDef disc{.position = {1, 1 + radius},
-                                  .velocity = {random.uniform(4, 16), 0},
-                                  .shapes = {plumb::circle(radius, {.friction = friction})}};
+        const BodyDef disc{.position = {1, 1 + radius},
+                           .velocity = {random.uniform(4, 16), 0},
+                           .shapes = {circle(radius, {.friction = friction})}};
         Ground tiled = groundOf(map);
         World chained;
-        chained.add({.type = BodyType::Static, .shapes = {plumb::chain(line)}});
+        chained.add({.type = BodyType::Static, .shapes = {chain(line)}});
         const BodyId a = tiled.world.add(disc), b = chained.add(disc);
         for (int tick = 0; tick < 150 && chained.body(b).position().x() < 17; ++tick) {
             tiled.world.step(dt);
@@ -327,7 +311,7 @@ TEST_CASE("a map of nothing can be added, filled and emptied, and goes with its 
 
 TEST_CASE("a tile is set in maps and in their cells only", "[dynamics][tiles]") {
     Ground ground = groundOf(TileMap({.columns = 3, .rows = 3}));
-    const BodyId ball = ground.world.add({.position = {5, 5}, .shapes = {plumb::circle(1)}});
+    const BodyId ball = ground.world.add({.position = {5, 5}, .shapes = {circle(1)}});
     const ShapeId disc = ground.world.body(ball).shapes().front();
     CHECK_THROWS_WITH(ground.world.setTile(disc, {0, 0}, full), containsText("not a tile map"));
     CHECK_THROWS_WITH(ground.world.tiles(disc), containsText("not a tile map"));

@@ -11,20 +11,17 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Random;
-using plumb::Vec2;
-using plumb::World;
+using namespace plumb;
+using namespace plumb::test;
 
 TEST_CASE("of two points none pulls, and none that pushes approaches, for 100,000 random contacts",
           "[dynamics][property]") {
-    using Points = plumb::TwoPoints<double>;
+    using Points = TwoPoints<double>;
     Random random(1);
     const auto pair = [&](double low, double high) {
         return Points::Each{{random.uniform(low, high), random.uniform(low, high)}};
     };
-    for (int round = 0; round < plumb::test::cases(100'000); ++round) {
+    for (int round = 0; round < cases(100'000); ++round) {
         const double massA = round % 3 == 0 ? 0 : random.uniform(0, 2), massB = random.uniform(0.1, 2);
         const Points::Each a = pair(-3, 3), b = pair(-3, 3), old = pair(0, 2), speed = pair(-3, 3);
         const Points::Each share = round % 2 == 0 ? Points::Each{{1, 1}} : pair(0.1, 1);
@@ -47,7 +44,7 @@ TEST_CASE("a plank that falls flat stays flat", "[dynamics][symptom]") {
     for (const double friction : {0.0, 0.6})
         for (const Vec2& half : {Vec2(1, 0.2), Vec2(0.5, 0.5), Vec2(0.2, 0.2)})
             for (const double rate : {30.0, 60.0, 240.0})
-                for (int i = 0; i < plumb::test::cases(300); ++i) {
+                for (int i = 0; i < cases(300); ++i) {
                     const double fall = 0.5 + 0.0571 * i;
                     World world({.gravity = {0, -9.81}});
                     world.add({.type = BodyType::Static,
@@ -75,7 +72,7 @@ TEST_CASE("a box slides to the left as it slides to the right, at mu g, and does
             double way[2] = {0, 0}, deepest = 0;
             for (const int side : {0, 1}) {
                 World world({.gravity = {0, -9.81}});
-                const plumb::Material material{.friction = friction};
+                const Material material{.friction = friction};
                 world.add(
                     {.type = BodyType::Static, .position = {0, -0.5}, .shapes = {plumb::box({100, 0.5}, material)}});
                 const BodyId box = world.add({.position = {0, half.y()},
@@ -83,9 +80,8 @@ TEST_CASE("a box slides to the left as it slides to the right, at mu g, and does
                                               .shapes = {plumb::box(half, material)}});
                 for (int tick = 0; tick < 360; ++tick) {
                     world.step(1.0 / 60);
-                    for (const plumb::Contact& contact : world.body(box).contacts())
-                        for (const plumb::ContactPoint& point : contact.points)
-                            deepest = std::max(deepest, -point.separation);
+                    for (const Contact& contact : world.body(box).contacts())
+                        for (const ContactPoint& point : contact.points) deepest = std::max(deepest, -point.separation);
                 }
                 way[side] = std::fabs(world.body(box).position().x());
             }

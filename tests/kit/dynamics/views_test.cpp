@@ -8,7 +8,7 @@
 #include "catch.h"
 
 using namespace plumb;
-using plumb::test::containsText;
+using namespace plumb::test;
 
 namespace {
 

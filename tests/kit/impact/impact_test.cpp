@@ -12,13 +12,8 @@
 #include "catch.h"
 #include "numbers.h"
 
-using plumb::ImpactLaw;
-using plumb::ImpactResult;
-using plumb::ImpactSide;
-using plumb::Random;
-using plumb::Rot;
-using plumb::Vec2;
-using plumb::test::infinity;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -54,7 +49,7 @@ double kinetic(const ImpactSide& s, const Vec2& velocity, double angularVelocity
            (s.inverseInertia > 0 ? angularVelocity * angularVelocity / s.inverseInertia / 2 : 0);
 }
 
-ImpactSide someSide(plumb::Random& random) {
+ImpactSide someSide(Random& random) {
     const double mass = std::exp(random.uniform(-3, 3));
     const double gyration = std::exp(random.uniform(-2, 1));
     return {.velocity = {random.uniform(-5, 5), random.uniform(-5, 5)},
@@ -73,7 +68,7 @@ struct Audit {
 };
 
 void Audit::hold(const ImpactSide& a, const ImpactSide& b, const Vec2& normal, const ImpactLaw& law) {
-    const ImpactResult r = plumb::impact(a, b, normal, law);
+    const ImpactResult r = impact(a, b, normal, law);
     const Vec2 tangent(-normal.y(), normal.x());
     const double speed = a.velocity.norm() + b.velocity.norm() + std::fabs(a.angularVelocity) * a.arm.norm() +
                          std::fabs(b.angularVelocity) * b.arm.norm();
@@ -89,8 +84,8 @@ void Audit::hold(const ImpactSide& a, const ImpactSide& b, const Vec2& normal, c
     // With the point of contact as origin the centres lie at -arm.
     const double mA = 1 / a.inverseMass, mB = 1 / b.inverseMass;
     const Vec2 changeA = mA * (r.velocityA - a.velocity), changeB = mB * (r.velocityB - b.velocity);
-    const double spinA = (r.angularVelocityA - a.angularVelocity) / a.inverseInertia + plumb::cross(-a.arm, changeA);
-    const double spinB = (r.angularVelocityB - b.angularVelocity) / b.inverseInertia + plumb::cross(-b.arm, changeB);
+    const double spinA = (r.angularVelocityA - a.angularVelocity) / a.inverseInertia + cross(-a.arm, changeA);
+    const double spinB = (r.angularVelocityB - b.angularVelocity) / b.inverseInertia + cross(-b.arm, changeB);
     const double size = (mA + mB) * speed;
     momentum = std::max(momentum, (changeA + changeB).norm() / size);
     angularMomentum = std::max(
@@ -122,14 +117,14 @@ TEST_CASE("2 kg at 3 m/s and 1 kg at -1 m/s part at 1/3 and 13/3 m/s, or at e = 
           "[impact][facts][law]") {
     const ImpactSide a{.velocity = {3, 0}, .inverseMass = 0.5};
     const ImpactSide b{.velocity = {-1, 0}, .inverseMass = 1};
-    const ImpactResult elastic = plumb::impact(a, b, {1, 0}, {.restitution = 1});
+    const ImpactResult elastic = impact(a, b, {1, 0}, {.restitution = 1});
     CHECK(near(elastic.velocityA, {1.0 / 3, 0}, 1e-15));
     CHECK(near(elastic.velocityB, {13.0 / 3, 0}, 1e-15));
     CHECK(near(elastic.normalImpulse, 16.0 / 3, 1e-15));
-    const ImpactResult half = plumb::impact(a, b, {1, 0}, {.restitution = 0.5});
+    const ImpactResult half = impact(a, b, {1, 0}, {.restitution = 0.5});
     CHECK(near(half.velocityA, {1, 0}, 1e-15));
     CHECK(near(half.velocityB, {3, 0}, 1e-15));
-    const ImpactResult none = plumb::impact(a, b, {1, 0}, {.restitution = 0});
+    const ImpactResult none = impact(a, b, {1, 0}, {.restitution = 0});
     CHECK(near(none.velocityA, {5.0 / 3, 0}, 1e-15));
     CHECK(near(none.velocityB, {5.0 / 3, 0}, 1e-15));
 }
@@ -138,23 +133,21 @@ TEST_CASE("equal discs that meet 30 degrees off the line part as the lecture say
     const ImpactSide a{.velocity = {1, 0}, .inverseMass = 1};
     const ImpactSide b{.inverseMass = 1};
     const Vec2 normal(std::sqrt(3.0) / 2, 0.5);
-    const ImpactResult elastic = plumb::impact(a, b, normal, {.restitution = 1});
+    const ImpactResult elastic = impact(a, b, normal, {.restitution = 1});
     CHECK(near(elastic.velocityA, {0.25, -0.4330127019}, impactDigits));
     CHECK(near(elastic.velocityB, {0.75, 0.4330127019}, impactDigits));
-    const ImpactResult lossy = plumb::impact(a, b, normal, {.restitution = 0.8});
+    const ImpactResult lossy = impact(a, b, normal, {.restitution = 0.8});
     CHECK(near(lossy.velocityA, {0.325, -0.3897114317}, impactDigits));
     CHECK(near(lossy.velocityB, {0.675, 0.3897114317}, impactDigits));
 }
 
 TEST_CASE("a disc thrown at the floor rolls off at friction 0.5, and slips at 0.2", "[impact][facts][law]") {
-    const ImpactResult rolls =
-        plumb::impact(floorSide, discOnFloor({4, -3}), {0, 1}, {.restitution = 0.5, .friction = 0.5});
+    const ImpactResult rolls = impact(floorSide, discOnFloor({4, -3}), {0, 1}, {.restitution = 0.5, .friction = 0.5});
     CHECK(rolls.sticks);
     CHECK(near(rolls.velocityB, {8.0 / 3, 1.5}, impactDigits));
     CHECK(near(rolls.angularVelocityB, -5.3333333333, impactDigits));
     CHECK(rolls.velocityA == Vec2(0, 0));
-    const ImpactResult slips =
-        plumb::impact(floorSide, discOnFloor({4, -3}), {0, 1}, {.restitution = 0.5, .friction = 0.2});
+    const ImpactResult slips = impact(floorSide, discOnFloor({4, -3}), {0, 1}, {.restitution = 0.5, .friction = 0.2});
     CHECK_FALSE(slips.sticks);
     CHECK(near(slips.velocityB, {3.1, 1.5}, impactDigits));
     CHECK(near(slips.angularVelocityB, -3.6, impactDigits));
@@ -162,8 +155,7 @@ TEST_CASE("a disc thrown at the floor rolls off at friction 0.5, and slips at 0.
 
 TEST_CASE("the friction at which the thrown disc ceases to slip is 8/27", "[impact][facts][law]") {
     const auto sticks = [](double friction) {
-        return plumb::impact(floorSide, discOnFloor({4, -3}), {0, 1}, {.restitution = 0.5, .friction = friction})
-            .sticks;
+        return impact(floorSide, discOnFloor({4, -3}), {0, 1}, {.restitution = 0.5, .friction = friction}).sticks;
     };
     CHECK_FALSE(sticks(8.0 / 27 - 1e-12));
     CHECK(sticks(8.0 / 27 + 1e-12));
@@ -174,7 +166,7 @@ TEST_CASE("two equal discs that graze stick by a tangential mass of a sixth of o
     const double inverseInertia = 1 / (0.5 * 3 * 0.25);
     const ImpactSide a{.velocity = {1, 2}, .inverseMass = 1.0 / 3, .inverseInertia = inverseInertia, .arm = {0.5, 0}};
     const ImpactSide b{.velocity = {-1, 0}, .inverseMass = 1.0 / 3, .inverseInertia = inverseInertia, .arm = {-0.5, 0}};
-    const ImpactResult r = plumb::impact(a, b, {1, 0}, {.restitution = 1, .friction = 1});
+    const ImpactResult r = impact(a, b, {1, 0}, {.restitution = 1, .friction = 1});
     CHECK(r.sticks);
     CHECK(near(r.tangentImpulse, 3 * 2 / 6.0, 1e-15));
     CHECK(near(r.normalImpulse, 6, 1e-14));
@@ -184,19 +176,19 @@ TEST_CASE("a ball that strikes the end of a free rod of its mass keeps 0.6 of it
     // At its end a rod of mass m and length L has the effective mass m / 4: 1/m + (L/2)^2 / (m L^2 / 12) = 4 / m.
     const ImpactSide ball{.velocity = {0, 5}, .inverseMass = 1};
     const ImpactSide rod{.inverseMass = 1, .inverseInertia = 12.0 / 4, .arm = {1, 0}};
-    const ImpactResult r = plumb::impact(ball, rod, {0, 1}, {.restitution = 1});
+    const ImpactResult r = impact(ball, rod, {0, 1}, {.restitution = 1});
     CHECK(near(r.velocityA, {0, 3}, 1e-14));
     CHECK(near(r.velocityB, {0, 2}, 1e-14));
     CHECK(near(r.angularVelocityB, 2.4 * 5 / 2, 1e-14));
 }
 
 TEST_CASE("100,000 random impacts obey momentum, restitution and friction, and gain no energy", "[impact][law]") {
-    plumb::Random random(47);
+    Random random(47);
     Audit audit;
     for (int i = 0; i < 100'000; ++i) {
         const double restitution = random.integer(0, 3) == 0 ? random.integer(0, 1) : random.uniform(0, 1);
         const double friction = random.integer(0, 4) == 0 ? 0 : std::exp(random.uniform(-4, 3));
-        const plumb::Rot turn = plumb::Rot::fromAngle(random.uniform(-3, 3));
+        const Rot turn = Rot::fromAngle(random.uniform(-3, 3));
         audit.hold(someSide(random), someSide(random), {turn.cos, turn.sin}, {restitution, friction});
     }
     // Impulses are solved to some ten roundings of 1.1e-16; masses that differ by e^6 = 400, and arms of up to 15 times
@@ -223,7 +215,7 @@ TEST_CASE("an impact where sticking would gain energy stops short of it", "[impa
     const double c = 12 * 0.35 * 0.35, k = 1 + c, det = k * k - c * c;
     const double jn = (k * 4 - c * 0.2) / det, jt = (c * 4 - k * 0.2) / det;
     const double naive = jt * 0.2 / 2;
-    const ImpactResult r = plumb::impact(floorSide, rod, {0, 1}, {.restitution = 1, .friction = 100});
+    const ImpactResult r = impact(floorSide, rod, {0, 1}, {.restitution = 1, .friction = 100});
     INFO("sticking: " << jn << ", " << jt << " gains " << naive << " J");
     const double gain = kinetic(rod, r.velocityB, r.angularVelocityB) - before;
     CHECK(naive > 0.01);
@@ -233,13 +225,13 @@ TEST_CASE("an impact where sticking would gain energy stops short of it", "[impa
 }
 
 TEST_CASE("an impact is the same seen from either body", "[impact]") {
-    plumb::Random random(53);
+    Random random(53);
     for (int i = 0; i < 100; ++i) {
         const ImpactSide a = someSide(random);
         const ImpactSide b = someSide(random);
         const ImpactLaw law{random.uniform(0, 1), random.uniform(0, 1)};
-        const ImpactResult r = plumb::impact(a, b, {0.6, 0.8}, law);
-        const ImpactResult s = plumb::impact(b, a, {-0.6, -0.8}, law);
+        const ImpactResult r = impact(a, b, {0.6, 0.8}, law);
+        const ImpactResult s = impact(b, a, {-0.6, -0.8}, law);
         CHECK(near(r.velocityA, s.velocityB, 1e-12));
         CHECK(near(r.angularVelocityB, s.angularVelocityA, 1e-12));
         CHECK(near(r.normalImpulse, s.normalImpulse, 1e-12));
@@ -253,22 +245,22 @@ TEST_CASE("bodies that part, graze or cannot move are left as they are", "[impac
         return r.angularVelocityB == 3 && r.normalImpulse == 0 && r.tangentImpulse == 0 && !r.sticks;
     };
     for (const Vec2& velocity : {Vec2(1, 2), Vec2(1, 0)}) {
-        const ImpactResult r = plumb::impact(floorSide, discOnFloor(velocity, 3), {0, 1}, law);
+        const ImpactResult r = impact(floorSide, discOnFloor(velocity, 3), {0, 1}, law);
         CHECK(spared(r));
         CHECK(r.velocityB == velocity);
     }
-    CHECK(spared(plumb::impact(floorSide, discOnFloor({1, notANumber}, 3), {0, 1}, law)));
-    CHECK(spared(plumb::impact(floorSide, discOnFloor({1, -1}, 3), {notANumber, 1}, law)));
-    CHECK(spared(plumb::impact(floorSide, discOnFloor({1, -infinity}, 3), {0, 1}, law)));
+    CHECK(spared(impact(floorSide, discOnFloor({1, notANumber}, 3), {0, 1}, law)));
+    CHECK(spared(impact(floorSide, discOnFloor({1, -1}, 3), {notANumber, 1}, law)));
+    CHECK(spared(impact(floorSide, discOnFloor({1, -infinity}, 3), {0, 1}, law)));
     const ImpactSide wall{.velocity = {0, -1}};
-    CHECK(plumb::impact(floorSide, wall, {0, 1}, law).velocityB == Vec2(0, -1));
+    CHECK(impact(floorSide, wall, {0, 1}, law).velocityB == Vec2(0, -1));
 }
 
 TEST_CASE("a body on a pivot bounces off by the law of restitution, whatever the friction", "[impact][law]") {
     // Only its turning answers: K is singular, and friction does nothing that the pivot does not.
     const ImpactSide rod{.angularVelocity = -4, .inverseInertia = 3, .arm = {1, 0.5}};
     for (const double friction : {0.0, 0.3, 5.0, infinity}) {
-        const ImpactResult r = plumb::impact(floorSide, rod, {0, 1}, {.restitution = 0.5, .friction = friction});
+        const ImpactResult r = impact(floorSide, rod, {0, 1}, {.restitution = 0.5, .friction = friction});
         CHECK(near(r.angularVelocityB, 2, 1e-15));
         CHECK(r.velocityB == Vec2(0, 0));
     }
@@ -276,7 +268,7 @@ TEST_CASE("a body on a pivot bounces off by the law of restitution, whatever the
 
 TEST_CASE("infinite friction never slips", "[impact]") {
     const ImpactResult r =
-        plumb::impact(floorSide, discOnFloor({400, -3}), {0, 1}, {.restitution = 0.5, .friction = infinity});
+        impact(floorSide, discOnFloor({400, -3}), {0, 1}, {.restitution = 0.5, .friction = infinity});
     CHECK(r.sticks);
     CHECK(near(r.velocityB, {800.0 / 3, 1.5}, 1e-12));
 }
@@ -293,24 +285,12 @@ TEST_CASE("10,000 impacts on a belt are those on a wall that moves as the belt's
                               .arm = {random.uniform(-1, 1), random.uniform(-1, 1)}};
         const double speed = random.uniform(-8, 8);
         ImpactLaw law{.restitution = random.uniform(0, 1), .friction = random.uniform(0, 1)};
-        const ImpactResult moving = plumb::impact({.velocity = -speed * plumb::perp(normal)}, body, normal, law);
+        const ImpactResult moving = impact({.velocity = -speed * perp(normal)}, body, normal, law);
         law.surfaceSpeed = speed;
-        const ImpactResult belt = plumb::impact({}, body, normal, law);
+        const ImpactResult belt = impact({}, body, normal, law);
         CHECK(near(belt.velocityB, moving.velocityB, 1e-12));
         CHECK(near(belt.angularVelocityB, moving.angularVelocityB, 1e-11));
         CHECK(belt.velocityA == Vec2(0, 0));
     }
 }
 
-TEST_CASE("laws and masses that nothing has are refused by name", "[impact][errors]") {
-    const ImpactSide disc = discOnFloor({0, -1});
-    const auto hit = [&disc](const ImpactLaw& law) { plumb::impact(floorSide, disc, {0, 1}, law); };
-    CHECK_THROWS_AS(hit({.restitution = 2}), std::invalid_argument);
-    CHECK_THROWS_WITH(hit({.restitution = 2}), "ImpactLaw.restitution: 2 is not within 0 to 1");
-    CHECK_THROWS_WITH(hit({.restitution = notANumber}), "ImpactLaw.restitution: nan is not finite");
-    CHECK_THROWS_WITH(hit({.surfaceSpeed = notANumber}), "ImpactLaw.surfaceSpeed: nan is not finite");
-    CHECK_THROWS_WITH(hit({.restitution = 1, .friction = -0.5}), "ImpactLaw.friction: -0.5 is negative");
-    CHECK_THROWS_WITH(plumb::impact({.inverseMass = -1}, disc, {0, 1}, {}), "ImpactSide a.inverseMass: -1 is negative");
-    CHECK_THROWS_WITH(plumb::impact(disc, {.inverseInertia = notANumber}, {0, 1}, {}),
-                      "ImpactSide b.inverseInertia: nan is not finite");
-}

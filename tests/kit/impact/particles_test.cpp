@@ -12,7 +12,7 @@
 #include "numbers.h"
 
 using namespace plumb;
-using plumb::test::infinity;
+using namespace plumb::test;
 
 namespace {
 

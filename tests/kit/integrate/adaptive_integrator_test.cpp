@@ -10,14 +10,8 @@
 #include "kit/integrate/methods.h"
 #include "kit/integrate/oscillator.h"
 
-using plumb::AdaptiveIntegrator;
-using plumb::AdaptiveSettings;
-using plumb::integrate;
-using plumb::Integration;
-using plumb::IntegrationEnd;
-using plumb::test::Number;
-using plumb::test::oscillator;
-using plumb::test::Vector2;
+using namespace plumb;
+using namespace plumb::test;
 
 TEST_CASE("an oscillator is within the tolerance times the steps after 100 s", "[integrate]") {
     for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
@@ -78,8 +72,7 @@ TEST_CASE("no step is longer than asked, and the steps of a walk join up", "[int
 TEST_CASE("the state within a step is of fourth order", "[integrate]") {
     const auto errorAt = [](double fraction, double h) {
         const Vector2 start(std::cos(0.3), -std::sin(0.3));
-        const plumb::DormandPrinceStep<Vector2> step =
-            plumb::dormandPrinceStep(oscillator, 0, start, oscillator(0, start), h);
+        const DormandPrinceStep<Vector2> step = dormandPrinceStep(oscillator, 0, start, oscillator(0, start), h);
         const double t = 0.3 + fraction * h;
         return (step.at(fraction) - Vector2(std::cos(t), -std::sin(t))).norm();
     };

@@ -12,7 +12,7 @@
 namespace {
 
 using namespace plumb::test;
-using plumb::Phase;
+using namespace plumb;
 
 struct Energies {
     double last, least, most;
@@ -137,10 +137,10 @@ TEST_CASE("an oscillator is stable just below the limits 2, 2, 2 sqrt(2) and 0.9
 
 // Worked numbers of the integrators: decay limits |h L|: Euler and RK2 2, RK4 2.785.
 TEST_CASE("a decay is stable up to h L = 2, 2 and 2.785", "[integrate][facts]") {
-    const auto euler = [](const auto& f, const Number& y, double h) { return plumb::explicitEulerStep(f, 0, y, h); };
-    const auto midpoint = [](const auto& f, const Number& y, double h) { return plumb::midpointStep(f, 0, y, h); };
-    const auto heun = [](const auto& f, const Number& y, double h) { return plumb::heunStep(f, 0, y, h); };
-    const auto kutta = [](const auto& f, const Number& y, double h) { return plumb::rungeKutta4Step(f, 0, y, h); };
+    const auto euler = [](const auto& f, const Number& y, double h) { return explicitEulerStep(f, 0, y, h); };
+    const auto midpoint = [](const auto& f, const Number& y, double h) { return midpointStep(f, 0, y, h); };
+    const auto heun = [](const auto& f, const Number& y, double h) { return heunStep(f, 0, y, h); };
+    const auto kutta = [](const auto& f, const Number& y, double h) { return rungeKutta4Step(f, 0, y, h); };
     CHECK(decayed(euler, 1.99) < 1e-6);
     CHECK(decayed(euler, 2.01) > 1e6);
     CHECK(decayed(midpoint, 1.99) < 1e-6);
@@ -155,9 +155,9 @@ TEST_CASE("a decay is stable up to h L = 2, 2 and 2.785", "[integrate][facts]") 
 TEST_CASE("Heun's step takes the mean of the slopes at both ends, the midpoint's the one between", "[integrate]") {
     const auto slope = [](double t, const Number& y) -> Number { return Number(t * t + y[0] * y[0]); };
     // k1 = 1 at (0, 1), k2 = 0.25 + 1.5^2 at (0.5, 1.5); in the middle 0.0625 + 1.25^2.
-    CHECK(plumb::heunStep(slope, 0, Number(1), 0.5)[0] == 1 + 0.25 * (1 + 2.5));
-    CHECK(plumb::midpointStep(slope, 0, Number(1), 0.5)[0] == 1 + 0.5 * 1.625);
-    CHECK(plumb::heunStep(slope, 1, Number(2), -0.5)[0] == 2 - 0.25 * (5 + 0.5));
+    CHECK(heunStep(slope, 0, Number(1), 0.5)[0] == 1 + 0.25 * (1 + 2.5));
+    CHECK(midpointStep(slope, 0, Number(1), 0.5)[0] == 1 + 0.5 * 1.625);
+    CHECK(heunStep(slope, 1, Number(2), -0.5)[0] == 2 - 0.25 * (5 + 0.5));
 }
 
 TEST_CASE("a state of dynamic size, and a matrix, give the bits of a vector of fixed size", "[integrate]") {
@@ -170,10 +170,9 @@ TEST_CASE("a state of dynamic size, and a matrix, give the bits of a vector of f
     Eigen::VectorXd dynamic = fixed;
     Eigen::RowVector2d matrix = fixed.transpose();
     for (int i = 0; i < 50; ++i) {
-        fixed = plumb::rungeKutta4Step(ofVector, 0.1 * i, plumb::midpointStep(ofVector, 0.1 * i, fixed, 0.1), 0.1);
-        dynamic =
-            plumb::rungeKutta4Step(ofDynamic, 0.1 * i, plumb::midpointStep(ofDynamic, 0.1 * i, dynamic, 0.1), 0.1);
-        matrix = plumb::rungeKutta4Step(ofMatrix, 0.1 * i, plumb::midpointStep(ofMatrix, 0.1 * i, matrix, 0.1), 0.1);
+        fixed = rungeKutta4Step(ofVector, 0.1 * i, midpointStep(ofVector, 0.1 * i, fixed, 0.1), 0.1);
+        dynamic = rungeKutta4Step(ofDynamic, 0.1 * i, midpointStep(ofDynamic, 0.1 * i, dynamic, 0.1), 0.1);
+        matrix = rungeKutta4Step(ofMatrix, 0.1 * i, midpointStep(ofMatrix, 0.1 * i, matrix, 0.1), 0.1);
     }
     CHECK(dynamic == fixed);
     CHECK(matrix.transpose() == fixed);
@@ -183,10 +182,10 @@ TEST_CASE("a step that is no number, and a derivative of another size, are refus
     const Eigen::VectorXd state = Eigen::Vector2d(1, 0);
     const auto slope = [](double, const Eigen::VectorXd& y) -> Eigen::VectorXd { return y; };
     const auto longer = [](double, const Eigen::VectorXd&) -> Eigen::VectorXd { return Eigen::Vector3d(1, 2, 3); };
-    CHECK_THROWS_WITH(plumb::explicitEulerStep(slope, 0, state, NAN), "step: nan is not finite");
-    CHECK_THROWS_WITH(plumb::midpointStep(slope, INFINITY, state, 1), "time: inf is not finite");
-    CHECK_THROWS_WITH(plumb::heunStep(slope, 0, state, INFINITY), "step: inf is not finite");
-    CHECK_THROWS_WITH(plumb::heunStep(longer, 0, state, 1), "derivative: size 3 is not the state's, 2");
-    CHECK_THROWS_WITH(plumb::rungeKutta4Step(longer, 0, state, 1), "derivative: size 3 is not the state's, 2");
-    CHECK_THROWS_WITH(plumb::midpointStep(longer, 0, state, 1), "derivative: size 3 is not the state's, 2");
+    CHECK_THROWS_WITH(explicitEulerStep(slope, 0, state, NAN), "step: nan is not finite");
+    CHECK_THROWS_WITH(midpointStep(slope, INFINITY, state, 1), "time: inf is not finite");
+    CHECK_THROWS_WITH(heunStep(slope, 0, state, INFINITY), "step: inf is not finite");
+    CHECK_THROWS_WITH(heunStep(longer, 0, state, 1), "derivative: size 3 is not the state's, 2");
+    CHECK_THROWS_WITH(rungeKutta4Step(longer, 0, state, 1), "derivative: size 3 is not the state's, 2");
+    CHECK_THROWS_WITH(midpointStep(longer, 0, state, 1), "derivative: size 3 is not the state's, 2");
 }

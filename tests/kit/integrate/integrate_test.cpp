@@ -13,14 +13,8 @@
 
 namespace {
 
-using plumb::integrate;
-using plumb::integrateUntil;
-using plumb::Integration;
-using plumb::IntegrationEnd;
-using plumb::Random;
-using plumb::ZeroCrossing;
-using plumb::test::oscillator;
-using plumb::test::Vector2;
+using namespace plumb;
+using namespace plumb::test;
 using std::numbers::pi;
 using Vector4 = Eigen::Vector4d;
 
@@ -39,7 +33,7 @@ TEST_CASE("the time at which a thrown ball comes down is the closed form's, 1,00
     Random random(67);
     double worst = 0;
     int missed = 0;
-    for (int i = 0; i < plumb::test::cases(1'000'000); ++i) {
+    for (int i = 0; i < cases(1'000'000); ++i) {
         const double height = i % 2 ? random.uniform(0, 20) : 0, up = random.uniform(0.1, 40);
         const auto falls = [](double, const Vector2& y) -> Vector2 { return {y[1], -9.81}; };
         const Integration<Vector2> down =
@@ -111,7 +105,7 @@ TEST_CASE(
     const auto drag = [](double, const Vector2& y) -> Vector2 {
         return {y[1], -9.81 - 0.005 * y[1] * std::fabs(y[1])};
     };
-    const plumb::AdaptiveSettings exact{.absoluteTolerance = 1e-12, .relativeTolerance = 1e-12};
+    const AdaptiveSettings exact{.absoluteTolerance = 1e-12, .relativeTolerance = 1e-12};
     const Integration<Vector2> top = integrateUntil(drag, 0, Vector2(0, 50), 20, second, ZeroCrossing::Either, exact);
     CHECK(std::fabs(top.time - 3.8191317573) < 1e-10);
     CHECK(std::fabs(top.state[0] - 82.163273487) < 1e-9);
@@ -125,7 +119,7 @@ TEST_CASE(
 TEST_CASE("20 m/s at 45 degrees against linear drag of 0.2 comes down after 2.6501815833 s at 29.091533064 m",
           "[integrate][facts]") {
     const auto drag = [](double, const Vector4& y) -> Vector4 { return {y[2], y[3], -0.2 * y[2], -9.81 - 0.2 * y[3]}; };
-    const plumb::AdaptiveSettings exact{.absoluteTolerance = 1e-12, .relativeTolerance = 1e-12};
+    const AdaptiveSettings exact{.absoluteTolerance = 1e-12, .relativeTolerance = 1e-12};
     const double part = 20 * std::sqrt(0.5);
     const Vector4 shot(0, 0, part, part);
     const auto height = [](double, const Vector4& y) { return y[1]; };

@@ -12,8 +12,7 @@
 namespace {
 
 using namespace plumb::test;
-using plumb::Phase;
-using plumb::Vec2;
+using namespace plumb;
 
 struct Orbits {
     double energyError = 0, momentumError = 0;  ///< worst, relative
@@ -22,12 +21,12 @@ struct Orbits {
 
 Orbits tenOrbits(Method method, int stepsPerOrbit) {
     Phase<Vec2> phase = perihelion();
-    const double momentum = plumb::cross(phase.position, phase.velocity), h = 2 * std::numbers::pi / stepsPerOrbit;
+    const double momentum = cross(phase.position, phase.velocity), h = 2 * std::numbers::pi / stepsPerOrbit;
     Orbits worst;
     for (int i = 1; i <= 10 * stepsPerOrbit; ++i) {
         phase = stepOf(method, sunsPull, 0, phase, h);
         worst.energyError = std::max(worst.energyError, std::fabs(energyOf(phase) / -0.5 - 1));
-        const double now = plumb::cross(phase.position, phase.velocity);
+        const double now = cross(phase.position, phase.velocity);
         worst.momentumError = std::max(worst.momentumError, std::fabs(now / momentum - 1));
         if (i % stepsPerOrbit == 0)
             worst.wholeOrbitError = std::max(worst.wholeOrbitError, (phase.position - Vec2(0.5, 0)).norm());
@@ -104,13 +103,13 @@ TEST_CASE("after 10.3 Kepler orbits Dormand-Prince is where Kepler's equation sa
     for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
         const auto [position, velocity] = perihelion();
         const Eigen::Vector4d start(position.x(), position.y(), velocity.x(), velocity.y());
-        const plumb::Integration<Eigen::Vector4d> found = plumb::integrate(
-            planetSlope, 0, start, time, {.absoluteTolerance = tolerance, .relativeTolerance = tolerance});
+        const Integration<Eigen::Vector4d> found =
+            integrate(planetSlope, 0, start, time, {.absoluteTolerance = tolerance, .relativeTolerance = tolerance});
         const double error = (found.state.head<2>() - truth.position).norm();
         const double energy = energyOf({found.state.head<2>(), found.state.tail<2>()}) / -0.5 - 1;
         std::cout << "integrate, Kepler at tolerance " << tolerance << ": off by " << error << " in " << found.accepted
                   << " steps, energy by " << energy << '\n';
-        CHECK(found.end == plumb::IntegrationEnd::Reached);
+        CHECK(found.end == IntegrationEnd::Reached);
         CHECK(error < 100 * tolerance * found.accepted);
         CHECK(std::fabs(energy) < tolerance * found.accepted);
     }

@@ -11,7 +11,7 @@
 namespace {
 
 using namespace plumb::test;
-using plumb::Phase;
+using namespace plumb;
 
 /// The largest size in 10,000 steps of a spring of k / m [1/s^2] from 1 m at rest.
 double springReach(double stiffnessOverMass, double step) {
@@ -19,7 +19,7 @@ double springReach(double stiffnessOverMass, double step) {
     Phase<Number> phase{Number(1), Number(0)};
     double reach = 0;
     for (int i = 0; i < 10'000; ++i) {
-        phase = plumb::semiImplicitEulerStep(pull, 0, phase, step);
+        phase = semiImplicitEulerStep(pull, 0, phase, step);
         reach = std::max(reach, std::fabs(phase.position[0]));
     }
     return reach;
@@ -30,7 +30,7 @@ double dampedError(Method method, double z, int steps) {
     const auto pull = [&](double, const Number& x, const Number& v) -> Number { return -x - 2 * z * v; };
     Phase<Number> phase{Number(1), Number(0)};
     for (int i = 0; i < steps; ++i) phase = stepOf<1>(method, pull, 0, phase, 5.0 / steps);
-    const plumb::AxisMotion truth = plumb::oscillate(plumb::AxisMotion{1, 0}, 0, {1, z}, 5);
+    const AxisMotion truth = oscillate(AxisMotion{1, 0}, 0, {1, z}, 5);
     return std::hypot(phase.position[0] - truth.position, phase.velocity[0] - truth.velocity);
 }
 
@@ -52,8 +52,8 @@ TEST_CASE("semi-implicit Euler and velocity Verlet keep their shadow of the ener
         };
         const double eulerStart = ofEuler(), verletStart = ofVerlet();
         for (int i = 0; i < 100'000; ++i) {
-            euler = plumb::semiImplicitEulerStep(pull, 0, euler, h);
-            verlet = plumb::velocityVerletStep(pull, 0, verlet, h);
+            euler = semiImplicitEulerStep(pull, 0, euler, h);
+            verlet = velocityVerletStep(pull, 0, verlet, h);
         }
         CHECK(std::fabs(ofEuler() / eulerStart - 1) < 1e-11);
         CHECK(std::fabs(ofVerlet() / verletStart - 1) < 1e-11);
@@ -87,9 +87,8 @@ TEST_CASE("semi-implicit Euler and Verlet refuse by name a velocity or an accele
     const auto longer = [](double, const Eigen::VectorXd&, const Eigen::VectorXd&) -> Eigen::VectorXd {
         return Eigen::Vector3d(1, 2, 3);
     };
-    CHECK_THROWS_WITH(plumb::semiImplicitEulerStep(longer, 0, phase, 1),
-                      "acceleration: size 3 is not the position's, 2");
-    CHECK_THROWS_WITH(plumb::velocityVerletStep(longer, 0, phase, 1), "acceleration: size 3 is not the position's, 2");
-    CHECK_THROWS_WITH(plumb::velocityVerletStep(pull, 0, odd, 1), "velocity: size 3 is not the position's, 2");
-    CHECK_THROWS_WITH(plumb::velocityVerletStep(pull, 0, phase, INFINITY), "step: inf is not finite");
+    CHECK_THROWS_WITH(semiImplicitEulerStep(longer, 0, phase, 1), "acceleration: size 3 is not the position's, 2");
+    CHECK_THROWS_WITH(velocityVerletStep(longer, 0, phase, 1), "acceleration: size 3 is not the position's, 2");
+    CHECK_THROWS_WITH(velocityVerletStep(pull, 0, odd, 1), "velocity: size 3 is not the position's, 2");
+    CHECK_THROWS_WITH(velocityVerletStep(pull, 0, phase, INFINITY), "step: inf is not finite");
 }

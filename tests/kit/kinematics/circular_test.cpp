@@ -9,16 +9,13 @@
 
 #include "catch.h"
 
-using plumb::circularAt;
-using plumb::CircularMotion;
-using plumb::CircularPoint;
-using plumb::Vec2;
+using namespace plumb;
 
 // Differences of fourth order over h = 1e-3 s: off by h^4 w^5 / 30 of the size, up to 6 m/s, so 5e-11; and by a
 // rounding of angles up to 18 rad, 2e-15, of that size over h, so 2e-11.
 TEST_CASE("the velocity and the acceleration on a circle are the slopes of the place and of the velocity",
           "[kinematics]") {
-    plumb::Random random(5);
+    Random random(5);
     const double h = 1e-3;
     for (int i = 0; i < 1000; ++i) {
         const CircularMotion motion{{random.uniform(-3, 3), random.uniform(-3, 3)},
@@ -50,7 +47,7 @@ TEST_CASE("on a circle of 2 m at 3 rad/s the speed is 6 m/s and the acceleration
 }
 
 TEST_CASE("a wheel that speeds up from 2 rad/s by 3 rad/s^2 has turned by 10 rad after 2 s", "[kinematics]") {
-    const plumb::MotionSolutions turn = plumb::solveMotion({.startVelocity = 2, .acceleration = 3, .time = 2});
+    const MotionSolutions turn = solveMotion({.startVelocity = 2, .acceleration = 3, .time = 2});
     CHECK(turn.motions.at(0).displacement == 10);
     CHECK(turn.motions.at(0).endVelocity == 8);
 }

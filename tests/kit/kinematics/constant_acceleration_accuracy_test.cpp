@@ -16,10 +16,8 @@
 
 namespace {
 
-using plumb::MotionTimes;
-using plumb::Random;
-using plumb::SolvedMotion;
-using plumb::solveMotion;
+using namespace plumb;
+using namespace plumb::test;
 
 using Long = long double;
 
@@ -52,7 +50,7 @@ Bounded root(const Bounded& a) {
 
 /// One solution by the textbook, of random knowns; found's counterpart.
 struct Case {
-    plumb::KnownMotion known;
+    KnownMotion known;
     std::vector<std::pair<double SolvedMotion::*, Bounded>> truth;
 };
 
@@ -130,7 +128,7 @@ TEST_CASE("each of 10,000,000 answers is within four of its last place of the te
     Random random(77);
     double worst = 0;
     std::string at;
-    for (int i = 0; i < plumb::test::cases(1'000'000); ++i) {
+    for (int i = 0; i < cases(1'000'000); ++i) {
         const double d = randomNumber(random), v = randomNumber(random), a = randomNumber(random);
         const double t = randomNumber(random);
         double u = randomNumber(random);

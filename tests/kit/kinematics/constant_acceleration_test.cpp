@@ -14,14 +14,8 @@
 
 namespace {
 
-using plumb::KnownMotion;
-using plumb::MotionSolutions;
-using plumb::MotionTimes;
-using plumb::Random;
-using plumb::SolvedMotion;
-using plumb::solveMotion;
-using plumb::Vec2;
-using plumb::test::cases;
+using namespace plumb;
+using namespace plumb::test;
 
 /// d, u, v, a, t
 using Five = std::array<double, 5>;
@@ -201,8 +195,8 @@ TEST_CASE("a ball thrown up at 10 m/s rises 5 m at g = 10, at 45 degrees and 20 
 
 // Worked numbers of the integrators: 1 s of free fall, the exact step: -4.905.
 TEST_CASE("ten steps of 0.1 s of free fall end at -4.905 m", "[kinematics][facts]") {
-    plumb::PointMotion ball;
-    for (int i = 0; i < 10; ++i) ball = plumb::moveAccelerated(ball, {0, -9.81}, 0.1);
+    PointMotion ball;
+    for (int i = 0; i < 10; ++i) ball = moveAccelerated(ball, {0, -9.81}, 0.1);
     CHECK(std::fabs(ball.position.y() + 4.905) < 1e-14);
     CHECK(std::fabs(ball.velocity.y() + 9.81) < 1e-14);
 }
@@ -234,7 +228,6 @@ TEST_CASE("what contradicts itself has no solution, and what says nothing has in
 }
 
 TEST_CASE("two, four or five knowns, and what is no number, are refused by name", "[kinematics]") {
-    using plumb::test::containsText;
     CHECK_THROWS_WITH(solveMotion(KnownMotion{}), "KnownMotion: nothing is given; three of the five are wanted");
     CHECK_THROWS_WITH(solveMotion({.displacement = 1, .time = 2}),
                       "KnownMotion: displacement, time is given; three of the five are wanted");
@@ -245,11 +238,11 @@ TEST_CASE("two, four or five knowns, and what is no number, are refused by name"
                       "KnownMotion.startVelocity: nan is not finite");
     CHECK_THROWS_WITH(solveMotion({.startVelocity = 1, .acceleration = INFINITY, .time = 2}),
                       "KnownMotion.acceleration: inf is not finite");
-    CHECK_THROWS_WITH(solveMotion(plumb::KnownPlaneMotion{.displacement = Vec2(1, NAN)}),
+    CHECK_THROWS_WITH(solveMotion(KnownPlaneMotion{.displacement = Vec2(1, NAN)}),
                       "KnownPlaneMotion.displacement: (1, nan) is not finite");
-    CHECK_THROWS_WITH(solveMotion(plumb::KnownPlaneMotion{.displacement = Vec2(1, 2), .time = 1}),
+    CHECK_THROWS_WITH(solveMotion(KnownPlaneMotion{.displacement = Vec2(1, 2), .time = 1}),
                       "KnownPlaneMotion: displacement is given; two of the four vectors are wanted");
-    CHECK_THROWS_WITH(plumb::moveAccelerated({}, {0, 1}, NAN), "time: nan is not finite");
+    CHECK_THROWS_WITH(moveAccelerated({}, {0, 1}, NAN), "time: nan is not finite");
 }
 
 TEST_CASE("the largest and smallest numbers give finite solutions, or none", "[kinematics]") {
@@ -276,28 +269,28 @@ TEST_CASE("the largest and smallest numbers give finite solutions, or none", "[k
 }
 
 TEST_CASE("a motion in the plane is that of its axes", "[kinematics]") {
-    const plumb::PlaneMotionSolution shot = plumb::solveMotion(
-        plumb::KnownPlaneMotion{.displacement = Vec2(30, 5), .acceleration = Vec2(0, -9.81), .time = 2});
+    const PlaneMotionSolution shot =
+        solveMotion(KnownPlaneMotion{.displacement = Vec2(30, 5), .acceleration = Vec2(0, -9.81), .time = 2});
     REQUIRE(shot.motion);
     CHECK((shot.motion->startVelocity - Vec2(15, 12.31)).norm() <
           1e-14);  // Worked numbers of the firing solution, "t=2 to d"
     CHECK((shot.motion->endVelocity - Vec2(15, 12.31 - 2 * 9.81)).norm() < 1e-14);
-    const plumb::PlaneMotionSolution open =
-        plumb::solveMotion(plumb::KnownPlaneMotion{.startVelocity = Vec2(1, 2), .endVelocity = Vec2(1, 2)});
+    const PlaneMotionSolution open =
+        solveMotion(KnownPlaneMotion{.startVelocity = Vec2(1, 2), .endVelocity = Vec2(1, 2)});
     CHECK_FALSE(open.motion);
     CHECK(open.infinitelyMany);
-    const plumb::PlaneMotionSolution none =
-        plumb::solveMotion(plumb::KnownPlaneMotion{.startVelocity = Vec2(1, 2), .endVelocity = Vec2(1, 3)});
+    const PlaneMotionSolution none =
+        solveMotion(KnownPlaneMotion{.startVelocity = Vec2(1, 2), .endVelocity = Vec2(1, 3)});
     CHECK_FALSE(none.motion);
     CHECK_FALSE(none.infinitelyMany);
 }
 
 // 60 steps, each rounding a place of some 100 m and a speed of some 30 m/s twice.
 TEST_CASE("a motion in steps is the motion at once", "[kinematics]") {
-    const plumb::PointMotion start{{3, 4}, {20, 30}};
-    plumb::PointMotion point = start;
-    for (int i = 0; i < 60; ++i) point = plumb::moveAccelerated(point, {1, -9.81}, 0.05);
-    const plumb::PointMotion atOnce = plumb::moveAccelerated(start, {1, -9.81}, 3);
+    const PointMotion start{{3, 4}, {20, 30}};
+    PointMotion point = start;
+    for (int i = 0; i < 60; ++i) point = moveAccelerated(point, {1, -9.81}, 0.05);
+    const PointMotion atOnce = moveAccelerated(start, {1, -9.81}, 3);
     CHECK((point.position - atOnce.position).norm() < 60 * 4 * 1e-14);
     CHECK((point.velocity - atOnce.velocity).norm() < 60 * 4 * 4e-15);
 }

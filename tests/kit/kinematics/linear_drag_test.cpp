@@ -14,13 +14,8 @@
 
 namespace {
 
-using plumb::DragLaw;
-using plumb::dragStep;
-using plumb::DragStep;
-using plumb::moveWithDrag;
-using plumb::PointMotion;
-using plumb::Random;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 using Long = long double;
 
@@ -48,7 +43,7 @@ Long reachOf(Long k, Long t) {
 TEST_CASE("keep, gain and reach are those of long double, for k t from 1e-20 to 1e3", "[kinematics]") {
     Random random(11);
     double worst = 0, at = 0;
-    for (int i = 0; i < plumb::test::cases(1'000'000); ++i) {
+    for (int i = 0; i < cases(1'000'000); ++i) {
         const double time = std::exp2(random.uniform(-10, 10)), x = std::exp2(random.uniform(-66, 10));
         const double drag = x / time;
         const DragStep step = dragStep(drag, time);
@@ -74,7 +69,7 @@ TEST_CASE("without drag, and with a drag of 1e-300 or 5e-324, a step is that of 
     }
     const PointMotion from{{1, 2}, {3, 4}};
     const PointMotion drag = moveWithDrag(from, {.wind = {9, 9}, .acceleration = {0, -9.81}}, 1.5);
-    const PointMotion none = plumb::moveAccelerated(from, {0, -9.81}, 1.5);
+    const PointMotion none = moveAccelerated(from, {0, -9.81}, 1.5);
     CHECK((drag.position - none.position).norm() < 1e-14);
     CHECK((drag.velocity - none.velocity).norm() < 1e-14);
 }
@@ -100,7 +95,7 @@ TEST_CASE("a shot of 20 m/s at 45 degrees with drag 0.2 flies 29.091533064 m, ag
 TEST_CASE("a point in wind and drag is where a fine Runge-Kutta takes it", "[kinematics]") {
     Random random(13);
     double worst = 0;
-    for (int i = 0; i < plumb::test::cases(2000); ++i) {
+    for (int i = 0; i < cases(2000); ++i) {
         const auto vector = [&](double most) { return Vec2(random.uniform(-most, most), random.uniform(-most, most)); };
         const DragLaw law{random.uniform(0, 3), vector(10), vector(10)};
         const PointMotion from{vector(10), vector(30)};
@@ -110,8 +105,7 @@ TEST_CASE("a point in wind and drag is where a fine Runge-Kutta takes it", "[kin
             const Vec2 velocity = y.tail<2>(), pull = law.acceleration - law.rate * (velocity - law.wind);
             return {velocity.x(), velocity.y(), pull.x(), pull.y()};
         };
-        for (int step = 0; step < 400; ++step)
-            state = plumb::rungeKutta4Step(slope, step * time / 400, state, time / 400);
+        for (int step = 0; step < 400; ++step) state = rungeKutta4Step(slope, step * time / 400, state, time / 400);
         const PointMotion to = moveWithDrag(from, law, time);
         worst = std::max({worst, (to.position - state.head<2>()).norm(), (to.velocity - state.tail<2>()).norm()});
     }

@@ -13,15 +13,8 @@
 
 namespace {
 
-using plumb::AxisMotion;
-using plumb::harmonicAt;
-using plumb::HarmonicMotion;
-using plumb::oscillate;
-using plumb::Oscillator;
-using plumb::oscillatorStep;
-using plumb::OscillatorStep;
-using plumb::Random;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 using Long = long double;
 using Matrix = std::array<Long, 4>;  ///< of (x, v / w), row by row
@@ -71,7 +64,7 @@ double distance(const OscillatorStep& a, const OscillatorStep& b, double w) {
 TEST_CASE("an oscillator of any damping is where the matrix exponential takes it, 1,000,000 times", "[kinematics]") {
     Random random(17);
     double worst = 0, atZ = 0, atTheta = 0;
-    for (int i = 0; i < plumb::test::cases(1'000'000); ++i) {
+    for (int i = 0; i < cases(1'000'000); ++i) {
         const double w = std::exp2(random.uniform(-5, 5)), z = randomDamping(random);
         const double time = std::exp2(random.uniform(-12, 6)) / w;
         const OscillatorStep step = oscillatorStep({w, z}, time);
@@ -111,12 +104,12 @@ TEST_CASE("an oscillator is smooth across critical damping, and where its series
 // Worked numbers of response, Spring: m 1, k 4, c 0.4, from 1 m at rest.
 TEST_CASE("a spring of 4 N/m and 0.4 N s/m takes 1 kg from 1 m to -0.2580702634 m in 1 s, its period is 3.1574194170 s",
           "[kinematics][facts]") {
-    const Oscillator spring = plumb::oscillatorOf(1, 4, 0.4);
+    const Oscillator spring = oscillatorOf(1, 4, 0.4);
     CHECK(std::fabs(oscillate(AxisMotion{1, 0}, 0, spring, 1).position + 0.2580702634) < 5e-11);
-    REQUIRE(plumb::dampedPeriod(spring));
-    CHECK(std::fabs(*plumb::dampedPeriod(spring) - 3.1574194170) < 5e-11);
-    CHECK_FALSE(plumb::dampedPeriod({2, 1}));
-    CHECK_FALSE(plumb::dampedPeriod({0, 0}));
+    REQUIRE(dampedPeriod(spring));
+    CHECK(std::fabs(*dampedPeriod(spring) - 3.1574194170) < 5e-11);
+    CHECK_FALSE(dampedPeriod({2, 1}));
+    CHECK_FALSE(dampedPeriod({0, 0}));
 }
 
 TEST_CASE("simple harmonic motion is what the exact step makes of it", "[kinematics]") {
@@ -158,9 +151,9 @@ TEST_CASE("two steps of an oscillator are one of both times, and a plane is its 
     for (int i = 0; i < 10'000; ++i) {
         const Oscillator spring{random.uniform(0.1, 3), randomDamping(random)};
         const double one = random.uniform(0, 5), other = random.uniform(0, 5);
-        const plumb::PointMotion from{{random.uniform(-1, 1), 2}, {random.uniform(-1, 1), 0}};
-        const plumb::PointMotion twice = oscillate(oscillate(from, {0, 1}, spring, one), {0, 1}, spring, other);
-        const plumb::PointMotion once = oscillate(from, {0, 1}, spring, one + other);
+        const PointMotion from{{random.uniform(-1, 1), 2}, {random.uniform(-1, 1), 0}};
+        const PointMotion twice = oscillate(oscillate(from, {0, 1}, spring, one), {0, 1}, spring, other);
+        const PointMotion once = oscillate(from, {0, 1}, spring, one + other);
         const AxisMotion x = oscillate(AxisMotion{from.position.x(), from.velocity.x()}, 0, spring, one + other);
         worst = std::max({worst, (twice.position - once.position).norm(), (twice.velocity - once.velocity).norm()});
         CHECK(once.position.x() == x.position);
@@ -178,7 +171,7 @@ TEST_CASE("without a spring nothing pulls, and at the largest damping nothing mo
     CHECK_THROWS_WITH(oscillatorStep({1, -0.1}, 1), "Oscillator.dampingRatio: -0.1 is negative");
     CHECK_THROWS_WITH(oscillatorStep({1, 0}, NAN), "time: nan is not finite");
     CHECK_THROWS_WITH(oscillatorStep({1e200, 0}, 1e200), "Oscillator.angularFrequency * time: inf is not finite");
-    CHECK_THROWS_WITH(plumb::oscillatorOf(0, 1, 1), "mass: 0 is not positive");
+    CHECK_THROWS_WITH(oscillatorOf(0, 1, 1), "mass: 0 is not positive");
     CHECK_THROWS_WITH(harmonicAt({.phase = NAN}, 1), "HarmonicMotion.phase: nan is not finite");
     CHECK_THROWS_WITH(harmonicAt({.angularFrequency = 1e308, .phase = 1e308}, 1),
                       "HarmonicMotion.angularFrequency * time + phase: inf is not finite");

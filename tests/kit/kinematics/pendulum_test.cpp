@@ -11,8 +11,7 @@
 
 namespace {
 
-using plumb::Pendulum;
-using plumb::pendulumPeriod;
+using namespace plumb;
 using std::numbers::pi;
 
 }  // namespace

@@ -12,9 +12,8 @@
 #include "kit/math/reference.h"
 #include "numbers.h"
 
-using plumb::test::infinity;
-using plumb::test::million;
-using plumb::test::own;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -35,7 +34,7 @@ struct WorstUlps {
 }  // namespace
 
 TEST_CASE("a million logarithms are within 1 ulp, and with 1 added first", "[math][trig]") {
-    plumb::Random random(23);
+    Random random(23);
     WorstUlps plain, plus;
     for (int i = 0; i < million; ++i) {
         const int kind = random.integer(0, 3);
@@ -43,9 +42,9 @@ TEST_CASE("a million logarithms are within 1 ulp, and with 1 added first", "[mat
         const double wide = std::exp2(random.uniform(-1070, 1023));
         const double close = random.uniform(-1, 1) * std::exp2(random.uniform(-52, 0));
         const double x = kind == 0 ? wide : kind == 1 ? random.uniform(0x1p-30, 3) : 1 + close;
-        if (x > 0) plain.hold(x, plumb::logarithm(x), std::log(static_cast<long double>(x)));
+        if (x > 0) plain.hold(x, logarithm(x), std::log(static_cast<long double>(x)));
         const double y = kind == 0 ? wide : kind == 1 ? random.uniform(-0.999, 3) : close;
-        if (y > -1) plus.hold(y, plumb::logarithm1Plus(y), std::log1p(static_cast<long double>(y)));
+        if (y > -1) plus.hold(y, logarithm1Plus(y), std::log1p(static_cast<long double>(y)));
     }
     std::cout << "logarithm: " << plain.ulps << " ulp at " << plain.at << "; of 1 plus: " << plus.ulps << " ulp at "
               << plus.at << '\n';
@@ -54,31 +53,30 @@ TEST_CASE("a million logarithms are within 1 ulp, and with 1 added first", "[mat
 }
 
 TEST_CASE("a logarithm undoes an exponential to 4 ulp at 100,000 numbers", "[math][trig]") {
-    plumb::Random random(29);
+    Random random(29);
     double worst = 0;
     for (int i = 0; i < 100'000; ++i) {
         const double x = random.uniform(1, 700);
-        worst = std::max(worst, std::fabs(plumb::logarithm(plumb::exponential(x)) - x) / x);
+        worst = std::max(worst, std::fabs(logarithm(exponential(x)) - x) / x);
     }
     // 1 ulp of e^x is 2.2e-16 of it at most, as much of x + ln, and x >= 1; then 1 ulp of the logarithm.
     CHECK(worst < 4 * 2.3e-16);
 }
 
 TEST_CASE("logarithms at 1, at the ends of the range and of values that have none", "[math][trig]") {
-    CHECK(plumb::logarithm(1) == 0);
-    CHECK(plumb::logarithm1Plus(0) == 0);
-    CHECK(plumb::logarithm(2) == 0x1.62e42fefa39efp-1);
-    CHECK(plumb::logarithm1Plus(1) == 0x1.62e42fefa39efp-1);
-    CHECK(plumb::logarithm(5e-324) == -744.4400719213812);
-    CHECK(plumb::logarithm(1.7976931348623157e308) == 709.782712893384);
-    CHECK(plumb::logarithm1Plus(1.7976931348623157e308) == 709.782712893384);
-    for (const double tiny : {5e-324, -5e-324, 1e-300, -1e-17}) CHECK(plumb::logarithm1Plus(tiny) == tiny);
-    CHECK(plumb::logarithm(0) == -infinity);
-    CHECK(plumb::logarithm(-0.0) == -infinity);
-    CHECK(plumb::logarithm1Plus(-1) == -infinity);
-    CHECK(plumb::logarithm(infinity) == infinity);
-    CHECK(plumb::logarithm1Plus(infinity) == infinity);
-    for (const double bad : {-5e-324, -1.0, -infinity, plumb::test::nan}) CHECK(std::isnan(plumb::logarithm(bad)));
-    for (const double bad : {-1.0000000000000002, -infinity, plumb::test::nan})
-        CHECK(std::isnan(plumb::logarithm1Plus(bad)));
+    CHECK(logarithm(1) == 0);
+    CHECK(logarithm1Plus(0) == 0);
+    CHECK(logarithm(2) == 0x1.62e42fefa39efp-1);
+    CHECK(logarithm1Plus(1) == 0x1.62e42fefa39efp-1);
+    CHECK(logarithm(5e-324) == -744.4400719213812);
+    CHECK(logarithm(1.7976931348623157e308) == 709.782712893384);
+    CHECK(logarithm1Plus(1.7976931348623157e308) == 709.782712893384);
+    for (const double tiny : {5e-324, -5e-324, 1e-300, -1e-17}) CHECK(logarithm1Plus(tiny) == tiny);
+    CHECK(logarithm(0) == -infinity);
+    CHECK(logarithm(-0.0) == -infinity);
+    CHECK(logarithm1Plus(-1) == -infinity);
+    CHECK(logarithm(infinity) == infinity);
+    CHECK(logarithm1Plus(infinity) == infinity);
+    for (const double bad : {-5e-324, -1.0, -infinity, nan}) CHECK(std::isnan(logarithm(bad)));
+    for (const double bad : {-1.0000000000000002, -infinity, nan}) CHECK(std::isnan(logarithm1Plus(bad)));
 }

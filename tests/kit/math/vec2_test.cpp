@@ -15,10 +15,7 @@
 
 #include "catch.h"
 
-using plumb::Rot;
-using plumb::Transform;
-using plumb::Vec2;
-using plumb::Vec2f;
+using namespace plumb;
 using Pair = Eigen::Vector2d;
 
 namespace {
@@ -81,16 +78,16 @@ static_assert(std::is_same_v<decltype(any<Vec2>().x()), double>);
 
 static_assert(Vec2() == Vec2(0, 0) && Vec2(1, 2) + Vec2(2, 2) == Vec2(3, 4));
 
-Vec2 someVector(plumb::Random& random) {
+Vec2 someVector(Random& random) {
     return {random.uniform(-1, 1) * std::exp2(random.integer(-20, 20)), random.uniform(-1, 1)};
 }
 
 }  // namespace
 
 TEST_CASE("the difference of two positions under auto is a vector, and stays what it was", "[math]") {
-    plumb::World world;
-    const plumb::BodyId a = world.add({.position = {3, 4}, .shapes = {plumb::circle(0.5)}});
-    const plumb::BodyId b = world.add({.shapes = {plumb::circle(0.5)}});
+    World world;
+    const BodyId a = world.add({.position = {3, 4}, .shapes = {circle(0.5)}});
+    const BodyId b = world.add({.shapes = {circle(0.5)}});
     const auto apart = world.body(a).position() - world.body(b).position();
     const auto sum = world.body(a).velocity() * 2 + world.body(b).velocity();
     world.step(0.1);
@@ -101,7 +98,7 @@ TEST_CASE("the difference of two positions under auto is a vector, and stays wha
 
 // Eigen's own vectors work out the same: bit by bit.
 TEST_CASE("arithmetic of vectors gives the numbers of Eigen's", "[math]") {
-    plumb::Random random(64);
+    Random random(64);
     for (int round = 0; round < 10'000; ++round) {
         const Vec2 a = someVector(random), b = someVector(random);
         const double s = random.uniform(-3, 3);

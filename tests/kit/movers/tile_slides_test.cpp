@@ -13,34 +13,24 @@
 #include "kit/movers/stage.h"
 #include "kit/usual_world.h"
 
-using plumb::BodyDef;
-using plumb::BodyId;
-using plumb::BodyType;
-using plumb::Random;
-using plumb::ShapeDef;
-using plumb::Slide;
-using plumb::TileForm;
-using plumb::TileKind;
-using plumb::TileMap;
-using plumb::Vec2;
-using plumb::World;
-using plumb::test::dt;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
 ShapeDef randomShape(Random& random) {
     const double size = random.uniform(0.2, 1.2);
     switch (random.integer(0, 3)) {
-        case 0: return plumb::circle(size);
+        case 0: return circle(size);
         case 1: return plumb::box({size, size * random.uniform(0.4, 1.5)});
-        case 2: return plumb::capsule({0, -size / 2}, {0, size / 2}, size / 2);
-        default: return plumb::polygon({{-size, -size}, {size, -size}, {0.7 * size, size}, {-0.7 * size, size}});
+        case 2: return capsule({0, -size / 2}, {0, size / 2}, size / 2);
+        default: return polygon({{-size, -size}, {size, -size}, {0.7 * size, size}, {-0.7 * size, size}});
     }
 }
 
 /// How far it lies below, or to the right of, the origin [m].
 double reachOf(const ShapeDef& def, bool wall) {
-    const plumb::Aabb box = plumb::aabbOf(def.shape, {});
+    const Aabb box = aabbOf(def.shape, {});
     return wall ? box.upper.x() : -box.lower.y();
 }
 
@@ -51,11 +41,11 @@ BodyDef groundOf(bool wall, bool tiled, double tile) {
     ground.position = wall ? Vec2(0, -length) : Vec2(0, -tile);
     if (tiled) {
         TileMap map({.columns = wall ? 1 : count, .rows = wall ? count : 1, .size = tile});
-        for (int i = 0; i < count; ++i) map.set(wall ? plumb::Cell{0, i} : plumb::Cell{i, 0}, {.form = TileForm::Full});
-        ground.shapes = {plumb::tiles(map)};
+        for (int i = 0; i < count; ++i) map.set(wall ? Cell{0, i} : Cell{i, 0}, {.form = TileForm::Full});
+        ground.shapes = {tiles(map)};
     } else {
         const Vec2 half = 0.5 * (wall ? Vec2(tile, length) : Vec2(length, tile));
-        ground.shapes = {{.shape = plumb::boxPolygon(half, half)}};
+        ground.shapes = {{.shape = boxPolygon(half, half)}};
     }
     return ground;
 }
@@ -76,7 +66,7 @@ Vec2 endOf(const Run& run, bool tiled) {
                                    .shapes = {run.shape}});
     Slide slide;
     for (int tick = 0; tick < 120; ++tick) {
-        slide = plumb::moveAndSlide(world, body, {.velocity = run.speed * way - run.press * out, .dt = dt}, {}, slide);
+        slide = moveAndSlide(world, body, {.velocity = run.speed * way - run.press * out, .dt = dt}, {}, slide);
         world.step(dt);
     }
     return world.body(body).position();
@@ -86,7 +76,7 @@ Vec2 endOf(const Run& run, bool tiled) {
 
 TEST_CASE("10,000 movers slide over flush tiles, floor and wall, as on one slab, and lose nothing", "[movers][tiles]") {
     double apart = 0, lost = 0;
-    const int runs = plumb::test::cases(10'000);
+    const int runs = cases(10'000);
     for (int seed = 0; seed < runs; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         Run run{.shape = randomShape(random), .wall = random.integer(0, 1) == 0};
@@ -108,9 +98,9 @@ TEST_CASE("10,000 movers slide over flush tiles, floor and wall, as on one slab,
 
 TEST_CASE("a mover lands on a one-way tile from above, passes it from below, and is told the tiles it meets",
           "[movers][tiles]") {
-    const TileMap map = plumb::tileMapOf({"....", ".==.", "....", "####"});
+    const TileMap map = tileMapOf({"....", ".==.", "....", "####"});
     World world;
-    const BodyId ground = world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map)}});
+    const BodyId ground = world.add({.type = BodyType::Static, .shapes = {tiles(map)}});
     const BodyId hero =
         world.add({.type = BodyType::Kinematic, .position = {2, 1.5}, .shapes = {plumb::box({0.3, 0.45})}});
     Slide slide;
@@ -118,7 +108,7 @@ TEST_CASE("a mover lands on a one-way tile from above, passes it from below, and
     bool passed = false;
     for (int tick = 0; tick < 180; ++tick) {
         up -= 9.81 * dt;
-        slide = plumb::moveAndSlide(world, hero, {.velocity = {0, up}, .dt = dt}, {}, slide);
+        slide = moveAndSlide(world, hero, {.velocity = {0, up}, .dt = dt}, {}, slide);
         if (slide.isOnFloor) up = 0;
         world.step(dt);
         passed = passed || world.body(hero).position().y() > 3.5;
@@ -135,13 +125,13 @@ TEST_CASE("a mover lands on a one-way tile from above, passes it from below, and
 
 TEST_CASE("a mover goes over hills of slope tiles at constant ground speed, and never leaves the ground",
           "[movers][tiles]") {
-    const TileMap map = plumb::tileMapOf(
+    const TileMap map = tileMapOf(
         {"......................", "....../#34............", "...12#####\\......../##", "######################"});
     World world;
-    world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map)}});
-    for (const ShapeDef& shape : {plumb::box({0.3, 0.45}), plumb::capsule({0, -0.2}, {0, 0.2}, 0.3)}) {
+    world.add({.type = BodyType::Static, .shapes = {tiles(map)}});
+    for (const ShapeDef& shape : {plumb::box({0.3, 0.45}), capsule({0, -0.2}, {0, 0.2}, 0.3)}) {
         const BodyId hero = world.add({.type = BodyType::Kinematic, .position = {1, 1.6}, .shapes = {shape}});
-        plumb::PlatformMover mover(hero);
+        PlatformMover mover(hero);
         for (int tick = 0; tick < 30; ++tick) {
             mover.step(world, {}, dt);
             world.step(dt);
@@ -168,13 +158,12 @@ TEST_CASE("a mover goes over hills of slope tiles at constant ground speed, and 
 TEST_CASE("a mover that takes off and lands again in one tick stays where it landed", "[movers][tiles]") {
     // Against the ceiling, 9.9 cm up, along it and onto the slope at x = 7, all in one tick.
     World world;
-    world.add({.type = BodyType::Static,
-               .shapes = {plumb::tiles(plumb::tileMapOf({"##########", "......./##", "##########"}))}});
+    world.add({.type = BodyType::Static, .shapes = {tiles(tileMapOf({"##########", "......./##", "##########"}))}});
     const BodyId hero =
         world.add({.type = BodyType::Kinematic, .position = {5, 1.451}, .shapes = {plumb::box({0.4, 0.45})}});
     Slide slide;
     const auto tick = [&](const Vec2& velocity) {
-        slide = plumb::moveAndSlide(world, hero, {.velocity = velocity, .dt = dt}, {}, slide);
+        slide = moveAndSlide(world, hero, {.velocity = velocity, .dt = dt}, {}, slide);
         world.step(dt);
         return world.body(hero).position();
     };

@@ -9,13 +9,12 @@
 
 #include "catch.h"
 
-using plumb::Aabb;
-using plumb::Vec2;
+using namespace plumb;
 
 namespace {
 
-plumb::Transform somePose(plumb::Random& random) {
-    return {{random.uniform(-50, 50), random.uniform(-50, 50)}, plumb::Rot::fromAngle(random.uniform(-3, 3))};
+Transform somePose(Random& random) {
+    return {{random.uniform(-50, 50), random.uniform(-50, 50)}, Rot::fromAngle(random.uniform(-3, 3))};
 }
 
 // How far the box around these points, in the world, is from another.
@@ -38,29 +37,29 @@ Vec2 placed(double angle, const Vec2& position, const Vec2& local) {
 }  // namespace
 
 TEST_CASE("the box of a polygon or a segment is the box of its corners, at 1,000 poses", "[shapes][aabb]") {
-    plumb::Random random(41);
+    Random random(41);
     double worst = 0;
     for (int round = 0; round < 1000; ++round) {
         const double angle = random.uniform(-9, 9);
         const Vec2 position(random.uniform(-50, 50), random.uniform(-50, 50));
-        const plumb::Transform pose{position, plumb::Rot::fromAngle(angle)};
-        const plumb::Polygon triangle{{{-1, -2}, {3, 0}, {0.5, 4}}};
-        const plumb::Segment segment{{-2, 1}, {3, -4}};
+        const Transform pose{position, Rot::fromAngle(angle)};
+        const Polygon triangle{{{-1, -2}, {3, 0}, {0.5, 4}}};
+        const Segment segment{{-2, 1}, {3, -4}};
         std::vector<Vec2> corners;
         for (const Vec2& v : triangle.vertices) corners.push_back(placed(angle, position, v));
-        worst = std::max(worst, distance(plumb::aabbOf(triangle, pose), corners));
-        worst = std::max(worst, distance(plumb::aabbOf(segment, pose), {placed(angle, position, segment.start),
-                                                                        placed(angle, position, segment.end)}));
+        worst = std::max(worst, distance(aabbOf(triangle, pose), corners));
+        worst = std::max(worst, distance(aabbOf(segment, pose), {placed(angle, position, segment.start),
+                                                                 placed(angle, position, segment.end)}));
     }
     // Coordinates below 64 have last places of 7e-15; two sums each.
     CHECK(worst < 2 * 7.2e-15);
 }
 
 TEST_CASE("the box of a circle holds its rim and touches it on four sides, at 100 poses", "[shapes][aabb]") {
-    plumb::Random random(43);
+    Random random(43);
     for (int round = 0; round < 100; ++round) {
-        const plumb::Transform pose = somePose(random);
-        const plumb::Circle circle{.radius = random.uniform(0.1, 5), .center = {random.uniform(-9, 9), 3}};
+        const Transform pose = somePose(random);
+        const Circle circle{.radius = random.uniform(0.1, 5), .center = {random.uniform(-9, 9), 3}};
         std::vector<Vec2> rim;
         const int count = 4000;
         for (int i = 0; i < count; ++i) {
@@ -69,48 +68,47 @@ TEST_CASE("the box of a circle holds its rim and touches it on four sides, at 10
         }
         // The point of the rim nearest to a side is at most half a step from touching it: r (1 - cos(pi / count)).
         const double gap = circle.radius * (1 - std::cos(std::numbers::pi / count));
-        CHECK(distance(plumb::aabbOf(circle, pose), rim) < gap + 3 * 7.2e-15);
+        CHECK(distance(aabbOf(circle, pose), rim) < gap + 3 * 7.2e-15);
     }
 }
 
 TEST_CASE("the box of a capsule or a rounded polygon is that of its core and its radius, of a chain that of its points",
           "[shapes][aabb]") {
-    plumb::Random random(45);
+    Random random(45);
     double worst = 0;
     for (int round = 0; round < 1000; ++round) {
-        const plumb::Transform pose = somePose(random);
-        plumb::Polygon polygon{{{-1, -2}, {3, 0}, {0.5, 4}}};
+        const Transform pose = somePose(random);
+        Polygon polygon{{{-1, -2}, {3, 0}, {0.5, 4}}};
         const double r = random.uniform(0.1, 2);
         const auto differ = [&](const Aabb& a, const Aabb& b) {
             worst = std::max({worst, (a.lower - b.lower).norm(), (a.upper - b.upper).norm()});
         };
-        const Aabb sharp = plumb::aabbOf(polygon, pose);
-        differ(plumb::aabbOf(plumb::Chain{polygon.vertices, true}, pose), sharp);
+        const Aabb sharp = aabbOf(polygon, pose);
+        differ(aabbOf(Chain{polygon.vertices, true}, pose), sharp);
         polygon.radius = r;
         // A disc of that radius around every corner.
-        Aabb discs = plumb::aabbOf(plumb::Circle{r, polygon.vertices[0]}, pose);
-        for (const Vec2& v : polygon.vertices) discs = plumb::merge(discs, plumb::aabbOf(plumb::Circle{r, v}, pose));
-        differ(plumb::aabbOf(polygon, pose), discs);
-        const Aabb ends = plumb::merge(plumb::aabbOf(plumb::Circle{r, {-1, -2}}, pose),
-                                       plumb::aabbOf(plumb::Circle{r, {3, 0}}, pose));
-        differ(plumb::aabbOf(plumb::Capsule{{-1, -2}, {3, 0}, r}, pose), ends);
+        Aabb discs = aabbOf(Circle{r, polygon.vertices[0]}, pose);
+        for (const Vec2& v : polygon.vertices) discs = merge(discs, aabbOf(Circle{r, v}, pose));
+        differ(aabbOf(polygon, pose), discs);
+        const Aabb ends = merge(aabbOf(Circle{r, {-1, -2}}, pose), aabbOf(Circle{r, {3, 0}}, pose));
+        differ(aabbOf(Capsule{{-1, -2}, {3, 0}, r}, pose), ends);
     }
     CHECK(worst < 2 * 7.2e-15);
 }
 
 TEST_CASE("boxes overlap when they touch, and hold themselves", "[shapes][aabb]") {
     const Aabb box{{0, 0}, {1, 1}};
-    CHECK(plumb::overlap(box, {{1, 1}, {2, 2}}));
-    CHECK(plumb::overlap(box, {{0.2, -5}, {0.3, 5}}));
-    CHECK_FALSE(plumb::overlap(box, {{1.0000001, 0}, {2, 1}}));
-    CHECK_FALSE(plumb::overlap(box, {{0, -2}, {1, -1e-9}}));
-    CHECK(plumb::contains(box, box));
-    CHECK(plumb::contains(box, {{0.1, 0.1}, {0.9, 1}}));
-    CHECK_FALSE(plumb::contains(box, {{0.1, 0.1}, {0.9, 1.1}}));
-    const Aabb both = plumb::merge(box, {{-1, 0.5}, {0, 3}});
+    CHECK(overlap(box, {{1, 1}, {2, 2}}));
+    CHECK(overlap(box, {{0.2, -5}, {0.3, 5}}));
+    CHECK_FALSE(overlap(box, {{1.0000001, 0}, {2, 1}}));
+    CHECK_FALSE(overlap(box, {{0, -2}, {1, -1e-9}}));
+    CHECK(contains(box, box));
+    CHECK(contains(box, {{0.1, 0.1}, {0.9, 1}}));
+    CHECK_FALSE(contains(box, {{0.1, 0.1}, {0.9, 1.1}}));
+    const Aabb both = merge(box, {{-1, 0.5}, {0, 3}});
     CHECK(both.lower == Vec2(-1, 0));
     CHECK(both.upper == Vec2(1, 3));
-    const Aabb wider = plumb::inflate(box, 0.5);
+    const Aabb wider = inflate(box, 0.5);
     CHECK(wider.lower == Vec2(-0.5, -0.5));
     CHECK(wider.upper == Vec2(1.5, 1.5));
 }

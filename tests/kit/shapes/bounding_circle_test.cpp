@@ -16,12 +16,8 @@ namespace {
 
 using minkowski::Outline;
 using minkowski::Point;
-using plumb::BoundingCircle;
-using plumb::boundingCircleOf;
-using plumb::Random;
-using plumb::Shape;
-using plumb::Transform;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 double farthestFrom(Point center, const std::vector<Point>& points) {
     double farthest = 0;
@@ -53,7 +49,7 @@ TEST_CASE("bounding circles hold 100,000 shapes, and are what all pairs and trip
           "[shapes][bounds]") {
     Random random(131);
     double outside = 0, larger = 0, smaller = 0;
-    const int count = plumb::test::cases(100'000);
+    const int count = cases(100'000);
     for (int i = 0; i < count; ++i) {
         const Shape shape = randomShape(random, randomKind(random), 1);
         const Transform pose{randomVec2(random, 3), turnBy(random.uniform(-3, 3))};
@@ -76,14 +72,14 @@ TEST_CASE("bounding circles hold 100,000 shapes, and are what all pairs and trip
 
 TEST_CASE("the circle around a box is around its corners, around an obtuse triangle around its longest side",
           "[shapes][bounds]") {
-    const BoundingCircle box = boundingCircleOf(plumb::boxPolygon({4, 3}), {{1, 2}, turnBy(0.4)});
+    const BoundingCircle box = boundingCircleOf(boxPolygon({4, 3}), {{1, 2}, turnBy(0.4)});
     CHECK(std::fabs(box.radius - 5) < 2e-15);
     CHECK((box.center - Vec2(1, 2)).norm() < 2e-15);
-    const BoundingCircle triangle = boundingCircleOf(plumb::Polygon{{{0, 0}, {10, 0}, {5, 1}}, 0.5});
+    const BoundingCircle triangle = boundingCircleOf(Polygon{{{0, 0}, {10, 0}, {5, 1}}, 0.5});
     CHECK(triangle.center == Vec2(5, 0));
     CHECK(triangle.radius == 5.5);
-    CHECK(boundingCircleOf(plumb::Circle{2, {1, 1}}).radius == 2);
-    CHECK(boundingCircleOf(plumb::Chain{.points = {{0, 0}, {1, 0}, {2, 0}}}).radius == 1);
+    CHECK(boundingCircleOf(Circle{2, {1, 1}}).radius == 2);
+    CHECK(boundingCircleOf(Chain{.points = {{0, 0}, {1, 0}, {2, 0}}}).radius == 1);
 }
 
 TEST_CASE("circles of points: in one place, on a circle, 100,000 of them, none", "[shapes][bounds]") {

@@ -6,21 +6,18 @@
 
 #include "catch.h"
 
-using plumb::Chain;
-using plumb::Segment;
-using plumb::Shape;
-using plumb::Vec2;
+using namespace plumb;
 
 namespace {
 
 void checkChain(const Shape& shape) {
-    plumb::validate(shape, "S");
+    validate(shape, "S");
 }
 
 }  // namespace
 
 TEST_CASE("an open chain of 4 points has 3 segments, each with the points before and after it", "[shapes][chain]") {
-    const std::vector<Shape> pieces = plumb::piecesOf(Chain{{{0, 0}, {1, 0}, {2, 1}, {3, 1}}});
+    const std::vector<Shape> pieces = piecesOf(Chain{{{0, 0}, {1, 0}, {2, 1}, {3, 1}}});
     REQUIRE(pieces.size() == 3);
     const auto& first = std::get<Segment>(pieces[0]);
     CHECK(first.start == Vec2(0, 0));
@@ -37,7 +34,7 @@ TEST_CASE("an open chain of 4 points has 3 segments, each with the points before
 }
 
 TEST_CASE("a closed chain of 3 points has 3 segments, and goes on at every joint", "[shapes][chain]") {
-    const std::vector<Shape> pieces = plumb::piecesOf(Chain{{{0, 0}, {2, 0}, {0, 1}}, true});
+    const std::vector<Shape> pieces = piecesOf(Chain{{{0, 0}, {2, 0}, {0, 1}}, true});
     REQUIRE(pieces.size() == 3);
     const auto& last = std::get<Segment>(pieces[2]);
     CHECK(last.start == Vec2(0, 1));
@@ -48,8 +45,8 @@ TEST_CASE("a closed chain of 3 points has 3 segments, and goes on at every joint
 }
 
 TEST_CASE("what is no chain is its own one piece", "[shapes][chain]") {
-    CHECK(std::get<plumb::Circle>(plumb::piecesOf(plumb::Circle{3}).at(0)).radius == 3);
-    const std::vector<Shape> lone = plumb::piecesOf(Chain{{{0, 0}, {1, 0}}});
+    CHECK(std::get<Circle>(piecesOf(Circle{3}).at(0)).radius == 3);
+    const std::vector<Shape> lone = piecesOf(Chain{{{0, 0}, {1, 0}}});
     REQUIRE(lone.size() == 1);
     CHECK_FALSE(std::get<Segment>(lone[0]).after.has_value());
 }

@@ -15,12 +15,8 @@
 
 namespace {
 
-using plumb::convexPieces;
-using plumb::Mass;
-using plumb::Polygon;
-using plumb::Random;
-using plumb::Vec2;
-using plumb::test::containsText;
+using namespace plumb;
+using namespace plumb::test;
 using Points = std::vector<Vec2>;
 
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -174,7 +170,7 @@ const char* faultOf(const Points& outline, const std::vector<Polygon>& pieces, R
         for (const Vec2& p : piece.vertices)
             if (std::find(outline.begin(), outline.end(), p) == outline.end()) return "a corner is not of the outline";
     }
-    const Mass whole = massWithin(outline), together = plumb::combine(parts);
+    const Mass whole = massWithin(outline), together = combine(parts);
     if (std::fabs(together.mass - std::fabs(whole.mass)) > blur * extent) return "the areas do not add up";
     if ((together.center - whole.center).norm() > blur * extent * extent / std::fabs(whole.mass) * 3)
         return "the centre is not the whole's";
@@ -227,7 +223,7 @@ TEST_CASE("pieces of 8,000 random outlines cover them, and nothing else, without
         int faults = 0, refused = 0;
         std::size_t pieceCount = 0, corners = 0;
         std::string first;
-        for (int i = 0; i < plumb::test::allCases(2000); ++i) {
+        for (int i = 0; i < allCases(2000); ++i) {
             const Points outline = disguised(family.make(random), random);
             corners += outline.size();
             const Taken taken = takeApart(outline);
@@ -278,9 +274,9 @@ TEST_CASE("a convex outline of 64 corners is one piece, one of 65 two", "[shapes
     for (const int count : {3, 4, 64, 65}) {
         Points points;
         for (int i = 0; i < count; ++i) points.push_back(at(2 * std::numbers::pi * i / count, 2));
-        CHECK(convexPieces(points).size() == (count > plumb::maxPolygonVertices ? 2 : 1));
+        CHECK(convexPieces(points).size() == (count > maxPolygonVertices ? 2 : 1));
         std::reverse(points.begin(), points.end());
-        CHECK(convexPieces(points).size() == (count > plumb::maxPolygonVertices ? 2 : 1));
+        CHECK(convexPieces(points).size() == (count > maxPolygonVertices ? 2 : 1));
     }
 }
 
@@ -303,7 +299,7 @@ TEST_CASE("a ring of 3,000 points with a slit is taken apart, and its inertia is
     std::vector<Mass> parts;
     for (const Polygon& piece : convexPieces(points)) parts.push_back(massOf(piece, 1));
     const double area = 6.2 / 2 * (4 - 1), secondMoment = 6.2 / 4 * (16 - 1);
-    const Mass whole = plumb::combine(parts);
+    const Mass whole = combine(parts);
     // Chords lie inside of their arcs: 2 (1 - sin(h) / h) / 3 of the square of the step h less, to first order.
     CHECK(std::fabs(whole.mass / area - 1) < 1e-5);
     CHECK(std::fabs((whole.inertia + whole.mass * whole.center.squaredNorm()) / secondMoment - 1) < 1e-5);
@@ -329,11 +325,11 @@ TEST_CASE("outlines that no shape could have are refused, by the name of the poi
 }
 
 TEST_CASE("outline() gives the shapes of one body, each of the same material", "[shapes][space]") {
-    const std::vector<plumb::ShapeDef> shapes =
+    const std::vector<ShapeDef> shapes =
         plumb::outline({{0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}, {0, 0}}, {.density = 3, .friction = 0.25});
     CHECK(shapes.size() == 2);
     double mass = 0;
-    for (const plumb::ShapeDef& shape : shapes) {
+    for (const ShapeDef& shape : shapes) {
         CHECK(shape.material.friction == 0.25);
         mass += massOf(shape.shape, shape.material.density).mass;
     }

@@ -11,8 +11,7 @@
 
 #include "catch.h"
 
-using plumb::Polygon;
-using plumb::Vec2;
+using namespace plumb;
 
 namespace {
 
@@ -28,7 +27,7 @@ std::vector<Vec2> bruteHull(const std::vector<Vec2>& points) {
         const Vec2 edge = to - from;
         return std::all_of(points.begin(), points.end(), [&](const Vec2& p) {
             const Vec2 fromStart = p - from;
-            const double turn = plumb::cross(edge, fromStart), along = edge.dot(fromStart);
+            const double turn = cross(edge, fromStart), along = edge.dot(fromStart);
             return turn > 0 || (turn == 0 && along >= 0 && along <= edge.squaredNorm());
         });
     };
@@ -55,13 +54,13 @@ double outsideOfPolygon(const Polygon& polygon, const Vec2& point) {
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
         const Vec2 from = polygon.vertices[i];
         const Vec2 edge = polygon.vertices[(i + 1) % polygon.vertices.size()] - from, away = point - from;
-        outside = std::max(outside, -plumb::cross(edge, away) / edge.norm());
+        outside = std::max(outside, -cross(edge, away) / edge.norm());
     }
     return outside;
 }
 
 /// Points that hulls stumble over: on a polygon's edges and corners, off by a hair, some twice.
-std::vector<Vec2> stumblingBlocks(plumb::Random& random) {
+std::vector<Vec2> stumblingBlocks(Random& random) {
     const int corners = random.integer(3, 12), count = random.integer(3, 60);
     const double size = std::pow(10, random.uniform(-6, 6)), off = std::pow(10, random.uniform(-17, -3)) * size;
     const Vec2 shift = random.integer(0, 1) == 0 ? Vec2(0, 0) : onCircle(random.uniform(0, 6), 100 * size);
@@ -82,7 +81,7 @@ std::vector<Vec2> stumblingBlocks(plumb::Random& random) {
 }  // namespace
 
 TEST_CASE("hulls of 10,000 clouds of points are what brute force finds", "[shapes][hull]") {
-    plumb::Random random(51);
+    Random random(51);
     int made = 0, refused = 0, faults = 0;
     for (int round = 0; round < 10'000; ++round) {
         const int count = random.integer(1, 25), reach = random.integer(1, 12);
@@ -94,10 +93,10 @@ TEST_CASE("hulls of 10,000 clouds of points are what brute force finds", "[shape
         }
         std::vector<Vec2> expected = bruteHull(points);
         try {
-            std::vector<Vec2> corners = plumb::hullOf(points).vertices;
+            std::vector<Vec2> corners = hullOf(points).vertices;
             ++made;
             faults += corners.front() != *std::min_element(corners.begin(), corners.end(), less);
-            plumb::validate(Polygon{corners}, "hull");  // in order, and counter-clockwise
+            validate(Polygon{corners}, "hull");  // in order, and counter-clockwise
             std::sort(corners.begin(), corners.end(), less);
             faults += corners != expected;
         } catch (const std::invalid_argument&) {
@@ -114,19 +113,19 @@ TEST_CASE("what hullOf returns is a polygon that a body can have, and nothing st
           "[shapes][hull]") {
     // A corner is left out that turns by 1.5e-6, or has an edge of 1.5e-6 of the whole before it: each time one goes,
     // the outline retreats by less than that; a few go one after the other.
-    plumb::Random random(53);
+    Random random(53);
     int made = 0;
     double worst = 0;
     for (int round = 0; round < 10'000; ++round) {
         const std::vector<Vec2> points = stumblingBlocks(random);
         Polygon hull;
         try {
-            hull = plumb::hullOf(points);
+            hull = hullOf(points);
         } catch (const std::invalid_argument&) {
             continue;
         }
         ++made;
-        REQUIRE_NOTHROW(plumb::validate(hull, "hull"));
+        REQUIRE_NOTHROW(validate(hull, "hull"));
         for (const Vec2& p : points) worst = std::max(worst, outsideOfPolygon(hull, p) / extentOf(points));
     }
     CHECK(made > 8000);
@@ -139,21 +138,21 @@ TEST_CASE("a hull has at most 64 corners and at least 3", "[shapes][hull][errors
         for (int i = 0; i < count; ++i) points.push_back(onCircle(2 * std::numbers::pi * i / count, 1));
         return points;
     };
-    CHECK(plumb::hullOf(evenly(64)).vertices.size() == 64);
-    CHECK_THROWS_AS(plumb::hullOf(evenly(65)), std::invalid_argument);
-    CHECK_THROWS_WITH(plumb::hullOf(evenly(65)), "hullOf.points: 65 corners, made of 65 points, are more than 64");
-    CHECK_THROWS_WITH(plumb::hullOf({}), "hullOf.points: 0 corners, made of 0 points, are fewer than 3");
+    CHECK(hullOf(evenly(64)).vertices.size() == 64);
+    CHECK_THROWS_AS(hullOf(evenly(65)), std::invalid_argument);
+    CHECK_THROWS_WITH(hullOf(evenly(65)), "hullOf.points: 65 corners, made of 65 points, are more than 64");
+    CHECK_THROWS_WITH(hullOf({}), "hullOf.points: 0 corners, made of 0 points, are fewer than 3");
     const std::vector<Vec2> line{{0, 0}, {1, 1}, {2, 2}, {3, 3}};
-    CHECK_THROWS_AS(plumb::hullOf(line), std::invalid_argument);
+    CHECK_THROWS_AS(hullOf(line), std::invalid_argument);
     const std::vector<Vec2> same(9, Vec2(4, 5));
-    CHECK_THROWS_AS(plumb::hullOf(same), std::invalid_argument);
+    CHECK_THROWS_AS(hullOf(same), std::invalid_argument);
     const std::vector<Vec2> bad{{0, 0}, {1, std::numeric_limits<double>::quiet_NaN()}, {0, 1}};
-    CHECK_THROWS_WITH(plumb::hullOf(bad), "hullOf.points[1]: (1, nan) is not finite");
+    CHECK_THROWS_WITH(hullOf(bad), "hullOf.points[1]: (1, nan) is not finite");
 }
 
 TEST_CASE("hulls do not mind how large or small lengths are", "[shapes][hull]") {
     for (const double size : {1e-300, 1e-30, 1.0, 1e30, 1e300}) {
         const std::vector<Vec2> points{{0, 0}, {size, 0}, {0.25 * size, 0.25 * size}, {0, size}};
-        CHECK(plumb::hullOf(points).vertices.size() == 3);
+        CHECK(hullOf(points).vertices.size() == 3);
     }
 }

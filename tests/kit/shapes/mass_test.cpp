@@ -12,9 +12,7 @@
 
 #include "catch.h"
 
-using plumb::Mass;
-using plumb::Polygon;
-using plumb::Vec2;
+using namespace plumb;
 
 namespace {
 
@@ -82,7 +80,7 @@ Mass integrated(const Polygon& polygon, double density) {
 }
 
 // Level lines at y = r sin a, a in equal steps: the integrand is periodic, so that the trapezoid rule is exact.
-Mass integrated(const plumb::Circle& circle, double density) {
+Mass integrated(const Circle& circle, double density) {
     Moments moments;
     const int lines = 64;
     for (int i = 0; i < lines; ++i) {
@@ -137,11 +135,11 @@ Mass integratedRounded(std::vector<Vec2> corners, double radius, double density)
 }
 
 // Corners on an ellipse no flatter than 1 : 5, at least 3 % of a turn apart, turned and shifted.
-Polygon someConvexPolygon(plumb::Random& random) {
+Polygon someConvexPolygon(Random& random) {
     const int count = random.integer(3, random.integer(0, 3) == 0 ? 64 : 8);
     const double flatness = random.uniform(0.2, 1);
     const double size = std::exp(random.uniform(-3, 3));
-    const plumb::Rot turn = plumb::Rot::fromAngle(random.uniform(-3, 3));
+    const Rot turn = Rot::fromAngle(random.uniform(-3, 3));
     const Vec2 shift(random.uniform(-9, 9) * size, random.uniform(-9, 9) * size);
     Polygon polygon;
     for (int i = 0; i < count; ++i) {
@@ -166,12 +164,12 @@ Difference largest(const Difference& so, const Mass& a, const Mass& b) {
 }  // namespace
 
 TEST_CASE("mass properties of random polygons match numerical integration", "[shapes][mass]") {
-    plumb::Random random(23);
+    Random random(23);
     Difference worst;
     for (int round = 0; round < 5000; ++round) {
         const Polygon polygon = someConvexPolygon(random);
         const double density = random.uniform(0.1, 10);
-        worst = largest(worst, plumb::massOf(polygon, density), integrated(polygon, density));
+        worst = largest(worst, massOf(polygon, density), integrated(polygon, density));
     }
     // A slim triangle has about 1/100 of the area and inertia of the square that its rounding errors scale with, and
     // some 30 roundings of 1.1e-16 each go into a sum.
@@ -181,13 +179,13 @@ TEST_CASE("mass properties of random polygons match numerical integration", "[sh
 }
 
 TEST_CASE("mass properties of random circles match numerical integration", "[shapes][mass]") {
-    plumb::Random random(29);
+    Random random(29);
     Difference worst;
     for (int round = 0; round < 100; ++round) {
-        const plumb::Circle circle{.radius = std::exp(random.uniform(-5, 5)),
-                                   .center = {random.uniform(-9, 9), random.uniform(-9, 9)}};
+        const Circle circle{.radius = std::exp(random.uniform(-5, 5)),
+                            .center = {random.uniform(-9, 9), random.uniform(-9, 9)}};
         const double density = random.uniform(0.1, 10);
-        worst = largest(worst, plumb::massOf(circle, density), integrated(circle, density));
+        worst = largest(worst, massOf(circle, density), integrated(circle, density));
     }
     // 64 roundings of 1.1e-16, and the centre is simply the same.
     CHECK(worst.mass < 64 * 1.1e-16);
@@ -196,16 +194,16 @@ TEST_CASE("mass properties of random circles match numerical integration", "[sha
 }
 
 TEST_CASE("mass properties of random rounded polygons and capsules match numerical integration", "[shapes][mass]") {
-    plumb::Random random(47);
+    Random random(47);
     Difference worst;
     for (int round = 0; round < 300; ++round) {
         Polygon polygon = someConvexPolygon(random);
         const double size = (polygon.vertices[1] - polygon.vertices[0]).norm();
         polygon.radius = size * std::exp(random.uniform(-4, 2));
-        worst = largest(worst, plumb::massOf(polygon, 2), integratedRounded(polygon.vertices, polygon.radius, 2));
-        const plumb::Capsule capsule{polygon.vertices[0], polygon.vertices[1], polygon.radius};
+        worst = largest(worst, massOf(polygon, 2), integratedRounded(polygon.vertices, polygon.radius, 2));
+        const Capsule capsule{polygon.vertices[0], polygon.vertices[1], polygon.radius};
         const std::vector<Vec2> ends{capsule.start, capsule.end};
-        worst = largest(worst, plumb::massOf(capsule, 2), integratedRounded(ends, capsule.radius, 2));
+        worst = largest(worst, massOf(capsule, 2), integratedRounded(ends, capsule.radius, 2));
     }
     CHECK(worst.mass < 6e-7);
     CHECK(worst.center < 6e-7);
@@ -213,10 +211,10 @@ TEST_CASE("mass properties of random rounded polygons and capsules match numeric
 }
 
 TEST_CASE("a polygon of no radius, and one of a radius of 1e-9, have the same mass to 1e-8", "[shapes][mass]") {
-    Polygon box = plumb::boxPolygon({1, 0.5}, {3, 4});
-    const Mass sharp = plumb::massOf(box, 1);
+    Polygon box = boxPolygon({1, 0.5}, {3, 4});
+    const Mass sharp = massOf(box, 1);
     box.radius = 1e-9;
-    const Mass rounded = plumb::massOf(box, 1);
+    const Mass rounded = massOf(box, 1);
     CHECK(std::fabs(rounded.mass - sharp.mass) < 1e-8);
     CHECK((rounded.center - sharp.center).norm() < 1e-15 * 10);
     CHECK(std::fabs(rounded.inertia - sharp.inertia) < 1e-8);
@@ -224,27 +222,27 @@ TEST_CASE("a polygon of no radius, and one of a radius of 1e-9, have the same ma
 
 TEST_CASE("a rounded square of 2 m x 2 m and 1 m radius has 4 + 8 + pi square metres around its middle",
           "[shapes][mass]") {
-    Polygon square = plumb::boxPolygon({1, 1}, {5, -2});
+    Polygon square = boxPolygon({1, 1}, {5, -2});
     square.radius = 1;
-    const Mass mass = plumb::massOf(square, 1);
+    const Mass mass = massOf(square, 1);
     CHECK(std::fabs(mass.mass - (12 + std::numbers::pi)) < 1e-14 * 16);
     CHECK((mass.center - Vec2(5, -2)).norm() < 1e-14);
 }
 
 TEST_CASE("a capsule has its centre in the middle, to the last bit", "[shapes][mass]") {
-    CHECK(plumb::massOf(plumb::Capsule{{1, 2}, {3, 8}, 0.5}, 3).center == Vec2(2, 5));
+    CHECK(massOf(Capsule{{1, 2}, {3, 8}, 0.5}, 3).center == Vec2(2, 5));
 }
 
 TEST_CASE("a 2 m x 1 m box of 3 kg/m^2 has 6 kg and 2.5 kg m^2", "[shapes][mass]") {
     // m (w^2 + h^2) / 12, with w 2 m and h 1 m.
-    const Mass mass = plumb::massOf(plumb::boxPolygon({1, 0.5}, {7, -3}), 3);
+    const Mass mass = massOf(boxPolygon({1, 0.5}, {7, -3}), 3);
     CHECK(mass.mass == 6);
     CHECK(mass.center == Vec2(7, -3));
     CHECK(std::fabs(mass.inertia - 2.5) < 1e-15 * 10);
 }
 
 TEST_CASE("a polygon 1,000 km from the origin keeps every digit of its mass and inertia", "[shapes][mass]") {
-    plumb::Random random(31);
+    Random random(31);
     const Vec2 far(1e6, -1e6);
     double worst = 0;
     for (int round = 0; round < 200; ++round) {
@@ -256,8 +254,8 @@ TEST_CASE("a polygon 1,000 km from the origin keeps every digit of its mass and 
             near.vertices[i] = Vec2(std::round(steps.x()), std::round(steps.y())) * 0x1p-20;
             shifted.vertices[i] = near.vertices[i] + far;
         }
-        const Mass a = plumb::massOf(near, 1);
-        const Mass b = plumb::massOf(shifted, 1);
+        const Mass a = massOf(near, 1);
+        const Mass b = massOf(shifted, 1);
         worst = std::max({worst, std::fabs(a.mass - b.mass), std::fabs(a.inertia - b.inertia)});
         // The centre itself is a double next to 1e6.
         CHECK((a.center + far - b.center).norm() < 2e-10);
@@ -266,15 +264,15 @@ TEST_CASE("a polygon 1,000 km from the origin keeps every digit of its mass and 
 }
 
 TEST_CASE("a segment or a chain has no mass", "[shapes][mass]") {
-    CHECK(plumb::massOf(plumb::Chain{{{1, 2}, {3, 4}, {5, 0}}}, 5).mass == 0);
-    const Mass mass = plumb::massOf(plumb::Segment{{1, 2}, {3, 4}}, 5);
+    CHECK(massOf(Chain{{{1, 2}, {3, 4}, {5, 0}}}, 5).mass == 0);
+    const Mass mass = massOf(Segment{{1, 2}, {3, 4}}, 5);
     CHECK(mass.mass == 0);
     CHECK(mass.inertia == 0);
     CHECK(mass.center == Vec2(2, 3));
 }
 
 TEST_CASE("a polygon cut in two combines to itself", "[shapes][mass]") {
-    plumb::Random random(37);
+    Random random(37);
     Difference worst;
     for (int round = 0; round < 1000; ++round) {
         const Polygon whole = someConvexPolygon(random);
@@ -283,8 +281,8 @@ TEST_CASE("a polygon cut in two combines to itself", "[shapes][mass]") {
         Polygon first{{whole.vertices.begin(), cut + 1}};
         Polygon second{{cut, whole.vertices.end()}};
         second.vertices.push_back(whole.vertices.front());
-        const std::array parts = {plumb::massOf(first, 2), plumb::massOf(second, 2)};
-        worst = largest(worst, plumb::combine(parts), plumb::massOf(whole, 2));
+        const std::array parts = {massOf(first, 2), massOf(second, 2)};
+        worst = largest(worst, combine(parts), massOf(whole, 2));
     }
     // As for whole polygons, above.
     CHECK(worst.mass < 100 * 30 * 1.1e-16);
@@ -294,22 +292,22 @@ TEST_CASE("a polygon cut in two combines to itself", "[shapes][mass]") {
 
 TEST_CASE("two discs of 1 kg on a massless rod of 2 m have 2 kg and 3 kg m^2", "[shapes][mass]") {
     // Each disc of 1 m radius has 1/2 kg m^2, and lies 1 m from the common centre.
-    const Mass rod = plumb::massOf(plumb::Segment{{10, 0}, {12, 0}}, 9);
+    const Mass rod = massOf(Segment{{10, 0}, {12, 0}}, 9);
     const std::array parts = {rod, Mass{1, {10, 0}, 0.5}, Mass{1, {12, 0}, 0.5}};
-    const Mass all = plumb::combine(parts);
+    const Mass all = combine(parts);
     CHECK(all.mass == 2);
     CHECK(all.center == Vec2(11, 0));
     CHECK(all.inertia == 3);
 }
 
 TEST_CASE("nothing combines to nothing, and one part to itself", "[shapes][mass]") {
-    CHECK(plumb::combine({}).mass == 0);
-    CHECK(plumb::combine({}).inertia == 0);
+    CHECK(combine({}).mass == 0);
+    CHECK(combine({}).inertia == 0);
     const std::array one = {Mass{2, {3, 4}, 5}};
-    CHECK(plumb::combine(one).mass == 2);
-    CHECK(plumb::combine(one).center == Vec2(3, 4));
-    CHECK(plumb::combine(one).inertia == 5);
+    CHECK(combine(one).mass == 2);
+    CHECK(combine(one).center == Vec2(3, 4));
+    CHECK(combine(one).inertia == 5);
     const std::array massless = {Mass{0, {3, 4}, 0}, Mass{0, {5, 6}, 0}};
-    CHECK(plumb::combine(massless).mass == 0);
-    CHECK(plumb::combine(massless).inertia == 0);
+    CHECK(combine(massless).mass == 0);
+    CHECK(combine(massless).inertia == 0);
 }

@@ -16,12 +16,8 @@ namespace {
 
 using minkowski::Outline;
 using minkowski::Point;
-using plumb::OrientedBox;
-using plumb::orientedBoxOf;
-using plumb::Random;
-using plumb::Shape;
-using plumb::Transform;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 double areaOfBox(const OrientedBox& box) {
     return 4 * box.halfSize.x() * box.halfSize.y();
@@ -70,7 +66,7 @@ TEST_CASE("oriented boxes hold 100,000 shapes, and no angle of 1,000 gives a sma
     Random random(109);
     double worst = 0, sharpest = 0;
     int smaller = 0, loose = 0;
-    const int count = plumb::test::cases(100'000);
+    const int count = cases(100'000);
     for (int i = 0; i < count; ++i) {
         const Shape shape = randomShape(random, randomKind(random), 1);
         const Transform pose{randomVec2(random, 3), turnBy(random.uniform(-3, 3))};
@@ -95,15 +91,15 @@ TEST_CASE("oriented boxes hold 100,000 shapes, and no angle of 1,000 gives a sma
 
 TEST_CASE("a box around a turned box is that box, around a capsule its length by its width", "[shapes][bounds]") {
     for (const double angle : {0.0, 0.3, 1.2, 2.0, -0.7}) {
-        const OrientedBox box = orientedBoxOf(plumb::boxPolygon({2, 1}), {{3, 4}, turnBy(angle)});
+        const OrientedBox box = orientedBoxOf(boxPolygon({2, 1}), {{3, 4}, turnBy(angle)});
         CHECK((box.center - Vec2(3, 4)).norm() < 2e-15);
         CHECK(std::fabs(box.halfSize.maxCoeff() - 2) < 2e-15);
         CHECK(std::fabs(box.halfSize.minCoeff() - 1) < 2e-15);
-        const OrientedBox capsule = orientedBoxOf(plumb::Capsule{{-2, 0}, {2, 0}, 0.5}, {{0, 0}, turnBy(angle)});
+        const OrientedBox capsule = orientedBoxOf(Capsule{{-2, 0}, {2, 0}, 0.5}, {{0, 0}, turnBy(angle)});
         CHECK(std::fabs(areaOfBox(capsule) - 5) < 1e-14);
     }
     // A triangle of sides 3, 4, 5: along the longest it is 5 by 2.4, along the others 4 by 3; all 12 m^2.
-    CHECK(std::fabs(areaOfBox(orientedBoxOf(plumb::Polygon{{{0, 0}, {4, 0}, {0, 3}}})) - 12) < 1e-14);
+    CHECK(std::fabs(areaOfBox(orientedBoxOf(Polygon{{{0, 0}, {4, 0}, {0, 3}}})) - 12) < 1e-14);
 }
 
 TEST_CASE("boxes of points: in line, in one place, many, none", "[shapes][bounds]") {
@@ -123,7 +119,7 @@ TEST_CASE("boxes of points: in line, in one place, many, none", "[shapes][bounds
     CHECK_THROWS_WITH(orientedBoxOf(bad), "orientedBoxOf.points[1]: (nan, 0) is not finite");
     CHECK_THROWS_WITH(orientedBoxOf(std::span<const Vec2>()), "orientedBoxOf.points: there are none");
     for (const double size : {1e-320, 1e-200, 1e140, 1e155, 1e300}) {
-        const OrientedBox extreme = orientedBoxOf(plumb::boxPolygon({size, size}));
+        const OrientedBox extreme = orientedBoxOf(boxPolygon({size, size}));
         CHECK(extreme.halfSize.maxCoeff() >= size);
     }
 }
@@ -131,7 +127,7 @@ TEST_CASE("boxes of points: in line, in one place, many, none", "[shapes][bounds
 TEST_CASE("oriented boxes overlap when the distance of their polygons says so, 1,000,000 times", "[shapes][bounds]") {
     Random random(127);
     int wrong = 0, overlapping = 0;
-    const int count = plumb::test::cases(1'000'000);
+    const int count = cases(1'000'000);
     for (int i = 0; i < count; ++i) {
         const OrientedBox a = anyBox(random), b = anyBox(random);
         const double gap = gapBetween(outlineOfBox(a), outlineOfBox(b)).separation;

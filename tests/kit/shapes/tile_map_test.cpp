@@ -9,13 +9,8 @@
 #include <plumb/shapes/tile_text.h>
 #include "catch.h"
 
-using plumb::Cell;
-using plumb::Tile;
-using plumb::TileForm;
-using plumb::TileKind;
-using plumb::TileMap;
-using plumb::Vec2;
-using plumb::test::containsText;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -34,7 +29,7 @@ double areaOfCorners(const std::vector<Vec2>& corners) {
 
 TEST_CASE("a text of three rows is a map with its last row below, and is written back as it was", "[shapes][tiles]") {
     const std::vector<std::string> rows{"..=..", "/#~^\\", "12#34"};
-    const TileMap map = plumb::tileMapOf(rows, 0.5);
+    const TileMap map = tileMapOf(rows, 0.5);
     CHECK(map.columns() == 5);
     CHECK(map.rows() == 3);
     CHECK(map.size() == 0.5);
@@ -44,12 +39,12 @@ TEST_CASE("a text of three rows is a map with its last row below, and is written
     CHECK(map.at({2, 1}).kind == TileKind::Sensor);
     CHECK(map.at({3, 1}).kind == TileKind::Hazard);
     CHECK(map.at({2, 2}).kind == TileKind::OneWay);
-    CHECK(plumb::textOf(map) == rows);
-    CHECK(plumb::tileMapOf(std::string_view("  =  \n/#~^\\\r\n12#34\n"), 0.5) == map);
+    CHECK(textOf(map) == rows);
+    CHECK(tileMapOf(std::string_view("  =  \n/#~^\\\r\n12#34\n"), 0.5) == map);
 }
 
 TEST_CASE("rows of different lengths end in empty cells, and cells outside of the map are empty", "[shapes][tiles]") {
-    const TileMap map = plumb::tileMapOf({"#", "###"});
+    const TileMap map = tileMapOf({"#", "###"});
     CHECK(map.columns() == 3);
     CHECK(isEmpty(map.at({2, 1})));
     CHECK(isEmpty(map.at({-1, 0})));
@@ -58,7 +53,7 @@ TEST_CASE("rows of different lengths end in empty cells, and cells outside of th
 }
 
 TEST_CASE("a map that wraps in x has its last column at the left of its first", "[shapes][tiles]") {
-    const TileMap map = plumb::tileMapOf({"  #"}).wrapping(true, false);
+    const TileMap map = tileMapOf({"  #"}).wrapping(true, false);
     CHECK(map.at({-1, 0}) == full);
     CHECK(map.at({5, 0}) == full);
     CHECK(map.at({-301, 0}) == full);
@@ -77,7 +72,7 @@ TEST_CASE("a point is in the cell to the right of and above the lines it lies on
 
 TEST_CASE("forms fill 0, 1, 1/2, 1/4 and 3/4 of their cells, hanging or not", "[shapes][tiles]") {
     const auto share = [](TileForm form, bool hanging) {
-        return areaOfCorners(plumb::cornersOf(Tile{.form = form, .upsideDown = hanging}));
+        return areaOfCorners(cornersOf(Tile{.form = form, .upsideDown = hanging}));
     };
     for (const bool hanging : {false, true}) {
         CHECK(share(TileForm::Empty, hanging) == 0);
@@ -97,18 +92,18 @@ TEST_CASE("what is no map is refused, by the field's name", "[shapes][tiles]") {
     CHECK_THROWS_WITH(TileMap({.size = 0}), containsText("TileMapDef.size: 0"));
     CHECK_THROWS_WITH(TileMap({.columns = 100, .size = 1e307}), containsText("inf"));
     CHECK_THROWS_WITH(TileMap({.columns = 1 << 20, .rows = 1 << 20}), containsText("2^24"));
-    CHECK_THROWS_WITH(plumb::tileMapOf({"#", "#?"}), containsText("rows[1][1]: '?'"));
-    CHECK_THROWS_WITH(plumb::tileMapOf(std::vector<std::string>{}), containsText("hold no cell"));
+    CHECK_THROWS_WITH(tileMapOf({"#", "#?"}), containsText("rows[1][1]: '?'"));
+    CHECK_THROWS_WITH(tileMapOf(std::vector<std::string>{}), containsText("hold no cell"));
     TileMap map({.columns = 2, .rows = 2});
     CHECK_THROWS_WITH(map.set({2, 0}, full), containsText("(2, 0)"));
     map.set({0, 0}, {.form = TileForm::SlopeUp, .upsideDown = true});
-    CHECK_THROWS_WITH(plumb::textOf(map), containsText("no letter"));
+    CHECK_THROWS_WITH(textOf(map), containsText("no letter"));
 }
 
 TEST_CASE("a map as a shape has its grid's box and no mass", "[shapes][tiles]") {
-    const plumb::Shape shape = plumb::tileMapOf({"#  ", "   "}, 2);
-    const plumb::Aabb box = plumb::aabbOf(shape, {{1, 1}, {}});
+    const Shape shape = tileMapOf({"#  ", "   "}, 2);
+    const Aabb box = aabbOf(shape, {{1, 1}, {}});
     CHECK(box.lower == Vec2(1, 1));
     CHECK(box.upper == Vec2(7, 5));
-    CHECK(plumb::massOf(shape, 1).mass == 0);
+    CHECK(massOf(shape, 1).mass == 0);
 }

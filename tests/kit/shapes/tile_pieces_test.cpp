@@ -8,17 +8,8 @@
 #include "cases.h"
 #include "catch.h"
 
-using plumb::Cell;
-using plumb::PieceUse;
-using plumb::Polygon;
-using plumb::Random;
-using plumb::Segment;
-using plumb::Tile;
-using plumb::TileForm;
-using plumb::TileKind;
-using plumb::TileMap;
-using plumb::TilePiece;
-using plumb::Vec2;
+using namespace plumb;
+using namespace plumb::test;
 
 namespace {
 
@@ -109,7 +100,7 @@ std::vector<Segment> outlineOfPieces(const std::vector<TilePiece>& pieces) {
 
 TEST_CASE("the outline of 1,000 random maps has what is solid on its left alone, and all of its length",
           "[shapes][tiles]") {
-    for (int seed = 0; seed < plumb::test::cases(1000); ++seed) {
+    for (int seed = 0; seed < cases(1000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const TileMap map = randomMap(random, false);
         double length = 0;
@@ -128,7 +119,7 @@ TEST_CASE("the outline of 1,000 random maps has what is solid on its left alone,
 
 TEST_CASE("every piece of the outlines of 1,000 random maps goes on where another begins, and as one when in line",
           "[shapes][tiles]") {
-    for (int seed = 0; seed < plumb::test::cases(1000); ++seed) {
+    for (int seed = 0; seed < cases(1000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const TileMap map = randomMap(random, false);
         const std::vector<Segment> outline = outlineOfPieces(tilePiecesOf(map));
@@ -151,8 +142,8 @@ TEST_CASE("every piece of the outlines of 1,000 random maps goes on where anothe
             const Vec2 inside = s.end - 0.1 * directionOf(s) - step * outwardOf(s);
             const Vec2 beyond = s.end + 0.1 * directionOf(s) - step * outwardOf(s);
             const Cell a = map.cellAt(inside), b = map.cellAt(beyond);
-            const bool sameBlock = a.column / plumb::tileBlock == b.column / plumb::tileBlock &&
-                                   a.row / plumb::tileBlock == b.row / plumb::tileBlock && map.wrapped(b) == b;
+            const bool sameBlock = a.column / tileBlock == b.column / tileBlock &&
+                                   a.row / tileBlock == b.row / tileBlock && map.wrapped(b) == b;
             REQUIRE_FALSE(sameBlock);
         }
     }
@@ -160,7 +151,7 @@ TEST_CASE("every piece of the outlines of 1,000 random maps goes on where anothe
 
 TEST_CASE("the areas of 1,000 random maps of all kinds of tiles hold the points that their tiles hold",
           "[shapes][tiles]") {
-    for (int seed = 0; seed < plumb::test::cases(1000); ++seed) {
+    for (int seed = 0; seed < cases(1000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const TileMap map = randomMap(random, true);
         const std::vector<TilePiece> pieces = tilePiecesOf(map);

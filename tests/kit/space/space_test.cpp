@@ -10,15 +10,7 @@
 
 #include "catch.h"
 
-using plumb::Aabb;
-using plumb::Filter;
-using plumb::Pair;
-using plumb::ProxyId;
-using plumb::Random;
-using plumb::ShapeDef;
-using plumb::SortedPairs;
-using plumb::Space;
-using plumb::Vec2;
+using namespace plumb;
 
 namespace {
 
@@ -217,8 +209,7 @@ std::vector<ProxyId> addSquare(Space& space, int side, const Vec2& corner, bool 
     std::vector<ProxyId> ids;
     for (int i = 0; i < side * side; ++i) {
         const Aabb box = around(corner + Vec2(i % side, i / side), 0.3);
-        ids.push_back(
-            space.add(plumb::circle(0.3), static_cast<std::uint32_t>(1'000'000 * fixed + i), fixed, {0, 0}, box));
+        ids.push_back(space.add(circle(0.3), static_cast<std::uint32_t>(1'000'000 * fixed + i), fixed, {0, 0}, box));
     }
     return ids;
 }
@@ -268,7 +259,7 @@ TEST_CASE("new pairs and queries of 12 worlds equal those of a twin for 400 step
 
 TEST_CASE("a box is renewed when a shape leaves it or needs far less, and else stays", "[space]") {
     Space space;
-    const ProxyId id = space.add(plumb::circle(0.3), 1, false, {0, 0}, around({0, 0}, 0.3));
+    const ProxyId id = space.add(circle(0.3), 1, false, {0, 0}, around({0, 0}, 0.3));
     space.place(id, around({0, 0}, 0.3), 0.02);
     CHECK(space.box(id).upper.x() == 0.3);  // it still holds the shape
     space.place(id, around({0.001, 0}, 0.3), 0.02);
@@ -284,8 +275,8 @@ TEST_CASE("a box is renewed when a shape leaves it or needs far less, and else s
 
 TEST_CASE("boxes overlap now, or did at the last look, as the accessors tell", "[space]") {
     Space space;
-    const ProxyId a = space.add(plumb::circle(1), 1, false, {0, 0}, around({0, 0}, 1));
-    const ProxyId b = space.add(plumb::circle(1), 2, false, {0, 0}, around({1, 0}, 1));
+    const ProxyId a = space.add(circle(1), 1, false, {0, 0}, around({0, 0}, 1));
+    const ProxyId b = space.add(circle(1), 2, false, {0, 0}, around({1, 0}, 1));
     CHECK(space.boxesOverlap(a, b));
     CHECK_FALSE(space.previousBoxesOverlap(a, b));
     CHECK(space.findNewPairs() == SortedPairs{{a, b}});
@@ -331,7 +322,7 @@ TEST_CASE("a shape that moves alone costs fewer than 100 tests among 10,000 that
     Space space;
     addSquare(space, 100, {0, 0});
     addSquare(space, 100, {0, -200}, true);
-    const ProxyId mover = space.add(plumb::circle(0.3), 2'000'000, false, {0, 0}, around({-10, 0}, 0.3));
+    const ProxyId mover = space.add(circle(0.3), 2'000'000, false, {0, 0}, around({-10, 0}, 0.3));
     lookAndShake(space, mover, 200);
     std::uint64_t most = 0;
     std::size_t met = 0;
@@ -352,7 +343,7 @@ TEST_CASE("what rests is not put in order again while a hundred shapes move for 
     addSquare(space, 100, {0, 0});
     std::vector<ProxyId> movers;
     for (std::uint32_t i = 0; i < 100; ++i)
-        movers.push_back(space.add(plumb::circle(0.3), 2'000'000 + i, false, {0, 0}, around({0, 0}, 0.3)));
+        movers.push_back(space.add(circle(0.3), 2'000'000 + i, false, {0, 0}, around({0, 0}, 0.3)));
     Random random(5);
     std::uint64_t tests = 0;
     for (int step = 0; step < 400; ++step) {
@@ -370,7 +361,7 @@ TEST_CASE("what rests is not put in order again while a hundred shapes move for 
 TEST_CASE("shapes that are woken by the thousand are found again", "[space]") {
     Space space;
     const std::vector<ProxyId> ids = addSquare(space, 40, {0, 0});
-    const ProxyId mover = space.add(plumb::circle(0.3), 2'000'000, false, {0, 0}, around({-10, 0}, 0.3));
+    const ProxyId mover = space.add(circle(0.3), 2'000'000, false, {0, 0}, around({-10, 0}, 0.3));
     lookAndShake(space, mover, 200);
     for (std::size_t i = 0; i < ids.size(); ++i)
         space.place(ids[i], around(Vec2(0.7 * static_cast<double>(i % 40 + 1), static_cast<double>(i / 40)), 0.3),
@@ -415,7 +406,7 @@ TEST_CASE("shapes that nothing pushes pair with nothing until one comes that is 
         shape.sensor = sensor;
         const ProxyId ball = space.add(shape, 3, false, {0, 0}, around({1, 1}, 1));
         space.setDriven(ball, sensor);
-        CHECK(space.findNewPairs() == plumb::SortedPairs{{wall, ball}, {lift, ball}});
+        CHECK(space.findNewPairs() == SortedPairs{{wall, ball}, {lift, ball}});
         space.remove(ball);
         space.markNew(lift);
         CHECK(space.findNewPairs().empty());

@@ -13,11 +13,8 @@
 
 namespace {
 
-using plumb::ClockSettings;
-using plumb::FixedClock;
-using plumb::Random;
-using plumb::Ticks;
-using plumb::test::cases;
+using namespace plumb;
+using namespace plumb::test;
 
 constexpr std::array<int, 6> displayRates = {24, 25, 60, 75, 144, 240};
 

@@ -13,17 +13,15 @@
 
 namespace {
 
-using plumb::FixedClock;
-using plumb::Random;
-using plumb::World;
+using namespace plumb;
 
 /// A tray in which seven bodies bounce off each other.
 World tray() {
     World world({.gravity = {0, -9.81}});
-    world.add({.type = plumb::BodyType::Static, .shapes = {plumb::chain({{-4, 6}, {-4, 0}, {4, 0}, {4, 6}})}});
+    world.add({.type = BodyType::Static, .shapes = {chain({{-4, 6}, {-4, 0}, {4, 0}, {4, 6}})}});
     for (int i = 0; i < 7; ++i) {
-        const plumb::Material bouncy{.friction = 0.4, .restitution = 0.7};
-        const plumb::ShapeDef shape = i % 2 ? plumb::box({0.3, 0.2}, bouncy) : plumb::circle(0.25, bouncy);
+        const Material bouncy{.friction = 0.4, .restitution = 0.7};
+        const ShapeDef shape = i % 2 ? box({0.3, 0.2}, bouncy) : circle(0.25, bouncy);
         world.add({.position = {i - 3.0, 2 + 0.3 * i},
                    .velocity = {3.0 - i, 0},
                    .angularVelocity = 1.0 * i,

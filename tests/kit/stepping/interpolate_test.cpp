@@ -8,12 +8,7 @@
 
 #include "catch.h"
 
-using plumb::interpolate;
-using plumb::interpolateAngle;
-using plumb::Random;
-using plumb::Rot;
-using plumb::Transform;
-using plumb::Vec2;
+using namespace plumb;
 using std::numbers::pi;
 
 TEST_CASE("a quarter of the way from (1, 2) to (5, 0) is (2, 1.5), and the start is exact", "[stepping]") {
@@ -26,12 +21,12 @@ TEST_CASE("a quarter of the way from (1, 2) to (5, 0) is (2, 1.5), and the start
 TEST_CASE("an angle takes the shorter way round", "[stepping]") {
     CHECK(std::fabs(interpolateAngle(3, -3, 0.5) - pi) < 1e-15);
     CHECK(std::fabs(interpolateAngle(-3, 3, 0.5) + pi) < 1e-15);
-    CHECK(std::fabs(plumb::shortestTurn(3, -3) - (2 * pi - 6)) < 1e-15);
-    CHECK(std::fabs(plumb::shortestTurn(0.5, 0.5 + 20 * pi)) < 1e-14);
+    CHECK(std::fabs(shortestTurn(3, -3) - (2 * pi - 6)) < 1e-15);
+    CHECK(std::fabs(shortestTurn(0.5, 0.5 + 20 * pi)) < 1e-14);
     Random random(53);
     for (int i = 0; i < 10'000; ++i) {
         const double from = random.uniform(-20, 20), to = random.uniform(-20, 20), fraction = random.uniform(0, 1);
-        const double turn = plumb::shortestTurn(from, to);
+        const double turn = shortestTurn(from, to);
         CHECK(std::fabs(turn) <= pi);
         CHECK(std::fabs(std::sin(from + turn) - std::sin(to)) < 2e-14);
         CHECK(std::fabs(std::cos(from + turn) - std::cos(to)) < 2e-14);
