@@ -293,4 +293,3 @@ TEST_CASE("10,000 impacts on a belt are those on a wall that moves as the belt's
         CHECK(belt.velocityA == Vec2(0, 0));
     }
 }
-
