@@ -24,7 +24,7 @@ std::vector<SceneResult> tileResults() {
 
 TEST_CASE("no block of a page was changed by hand", "[compare][page]") {
     for (const auto& [file, command] : {std::pair("README.md", "check"), std::pair("compare/measured.md", "check"),
-                                        std::pair("README.md", "bench"), std::pair("compare/measured.md", "bench")}) {
+                                        std::pair("compare/measured.md", "bench")}) {
         const std::vector<std::string> faults = pageFaults(readPage(repository / file, command), {});
         INFO(file << ": " << (faults.empty() ? "" : faults.front()));
         CHECK(faults.empty());
