@@ -85,21 +85,21 @@ double offOf(const Line& line, std::size_t piece, const Vec2f& normal) {
     return off;
 }
 
-struct Body {
+struct PosedShape {
     Convex convex;
     RelativePose pose;
     minkowski::Outline outline;
 };
 
-Body placed(const Convex& convex, const Vec2& position, double angle) {
-    Body body{
+PosedShape placed(const Convex& convex, const Vec2& position, double angle) {
+    PosedShape body{
         convex, {position.cast<float>(), static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))}, {}};
     body.outline = outlineOf(body.convex, body.pose);
     return body;
 }
 
 /// The line's nearest, or deepest.
-minkowski::Gap gapTo(const Line& line, const Body& body) {
+minkowski::Gap gapTo(const Line& line, const PosedShape& body) {
     minkowski::Gap nearest{1e300, {}};
     for (const minkowski::Outline& piece : line.outlines) {
         const minkowski::Gap gap = gapBetween(piece, body.outline);
@@ -109,7 +109,7 @@ minkowski::Gap gapTo(const Line& line, const Body& body) {
 }
 
 /// Moves a body until its gap to the line is as wanted, if it can be.
-Body atGap(const Line& line, Body body, double wanted) {
+PosedShape atGap(const Line& line, PosedShape body, double wanted) {
     for (int i = 0; i < 30; ++i) {
         const minkowski::Gap gap = gapTo(line, body);
         const double step = wanted - gap.separation;
@@ -120,13 +120,13 @@ Body atGap(const Line& line, Body body, double wanted) {
     return body;
 }
 
-double largest(const Line& line, const Body& body) {
+double largest(const Line& line, const PosedShape& body) {
     double size = largestNumber(body.convex) + static_cast<double>(body.pose.position.norm());
     for (const Vec2& p : line.points) size = std::max(size, p.norm());
     return size;
 }
 
-std::string describeChain(const Line& line, const Body& body, double margin) {
+std::string describeChain(const Line& line, const PosedShape& body, double margin) {
     std::ostringstream text;
     text.precision(9);
     text << "margin " << margin << " line";
@@ -153,7 +153,7 @@ Vec2 middleOf(const minkowski::Outline& outline) {
 
 /// Is a body behind a segment, but in front of a neighbour, where their joint is convex, and nearer to that one? It
 /// cannot come to the segment but through the neighbour, or around one of its ends.
-bool isBehindNeighbour(const Line& line, const Body& body, std::size_t piece) {
+bool isBehindNeighbour(const Line& line, const PosedShape& body, std::size_t piece) {
     const Vec2 middle = middleOf(body.outline);
     const auto sideOf = [&](std::size_t i) {
         return cross(Vec2(line.points[i + 1] - line.points[i]), Vec2(middle - line.points[i]));
@@ -180,7 +180,7 @@ struct Seen {
         0;  ///< segments within the margin, not as near as a neighbour could be, nor behind one, that say nothing
 };
 
-Seen look(const Line& line, const Body& body, double margin, double tolerance) {
+Seen look(const Line& line, const PosedShape& body, double margin, double tolerance) {
     Seen seen;
     for (std::size_t i = 0; i < line.pieces.size(); ++i) {
         const Manifold m = manifold(line.pieces[i], body.convex, body.pose, static_cast<float>(margin));
@@ -229,7 +229,7 @@ ChainTally tallyOfChains(Kind kind) {
         const bool isApart = random.integer(0, 1) == 0;
         const double wanted = scale * (isApart ? placements::powerOfTen(random, -6, 0.3)  //
                                                : -placements::powerOfTen(random, -5, -2));
-        const Body body = atGap(line, placed(convex, start, random.uniform(-pi, pi)), wanted);
+        const PosedShape body = atGap(line, placed(convex, start, random.uniform(-pi, pi)), wanted);
         const double gap = gapTo(line, body).separation;
         // As for any manifold, and as much for what turned it; and an edge of the chain's may lend its normal.
         double tolerance = 4e-6 * largest(line, body);
@@ -253,7 +253,7 @@ ChainTally tallyOfChains(Kind kind) {
 
 /// A body whose flat side lies along the line, at a height; the ends of that side.
 struct Flush {
-    Body body;
+    PosedShape body;
     double half = 0;
 };
 
@@ -419,7 +419,7 @@ TEST_CASE("the body asks the chain what the chain asks the body", "[collide][cha
     for (int i = 0; i < 5'000; ++i) {
         const Line line = randomLine(random, 1, 2);
         const Convex convex = randomConvex(random, randomKind(random), random.uniform(0.2, 1));
-        Body body = placed(convex, line.points[1] + randomVec2(random, 1), random.uniform(-pi, pi));
+        PosedShape body = placed(convex, line.points[1] + randomVec2(random, 1), random.uniform(-pi, pi));
         body = atGap(line, body, random.uniform(-0.02, 0.05));
         const RelativePose& pose = body.pose;
         const Vec2f back(-pose.cos * pose.position.x() - pose.sin * pose.position.y(),
