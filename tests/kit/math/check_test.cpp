@@ -21,7 +21,7 @@ TEST_CASE("numbers in messages are as short as a person would write them", "[mat
     CHECK(toText(1e300) == "1e+300");
     CHECK(toText(infinity) == "inf");
     CHECK(toText(-infinity) == "-inf");
-    CHECK(toText(-nan) == "nan");
+    CHECK(toText(-test::nan) == "nan");
     CHECK(toText(Vec2(0.5, -2)) == "(0.5, -2)");
 }
 
@@ -36,10 +36,10 @@ TEST_CASE("100,000 numbers of any size read back as they were", "[math][errors]"
 }
 
 TEST_CASE("a refusal names field, value and what is wrong", "[math][errors]") {
-    using Vec2;
-    CHECK_THROWS_AS(requireFinite(nan, "BodyDef.angle"), std::invalid_argument);
-    CHECK_THROWS_WITH(requireFinite(nan, "BodyDef.angle"), "BodyDef.angle: nan is not finite");
-    CHECK_THROWS_WITH(requireFinite(Vec2(nan, 0), "BodyDef", ".position"), "BodyDef.position: (nan, 0) is not finite");
+    CHECK_THROWS_AS(requireFinite(test::nan, "BodyDef.angle"), std::invalid_argument);
+    CHECK_THROWS_WITH(requireFinite(test::nan, "BodyDef.angle"), "BodyDef.angle: nan is not finite");
+    CHECK_THROWS_WITH(requireFinite(Vec2(test::nan, 0), "BodyDef", ".position"),
+                      "BodyDef.position: (nan, 0) is not finite");
     CHECK_THROWS_WITH(requireFinite(Vec2(0, -infinity), "at"), "at: (0, -inf) is not finite");
     CHECK_THROWS_WITH(requirePositive(-1, "Circle.radius"), "Circle.radius: -1 is not positive");
     CHECK_THROWS_WITH(requirePositive(0, "r"), "r: 0 is not positive");
@@ -47,7 +47,7 @@ TEST_CASE("a refusal names field, value and what is wrong", "[math][errors]") {
     CHECK_THROWS_WITH(requirePositive(Vec2(1, 0), "box", ".halfSize"), "box.halfSize: (1, 0) is not positive");
     CHECK_THROWS_WITH(requireNotNegative(-0.5, "d"), "d: -0.5 is negative");
     CHECK_THROWS_WITH(requireWithin(1.5, 0, 1, "e"), "e: 1.5 is not within 0 to 1");
-    CHECK_THROWS_WITH(requireWithin(nan, 0, 1, "e"), "e: nan is not finite");
+    CHECK_THROWS_WITH(requireWithin(test::nan, 0, 1, "e"), "e: nan is not finite");
 }
 
 TEST_CASE("what is as asked for is taken in, the bounds included", "[math][errors]") {

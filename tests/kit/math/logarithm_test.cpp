@@ -77,6 +77,6 @@ TEST_CASE("logarithms at 1, at the ends of the range and of values that have non
     CHECK(logarithm1Plus(-1) == -infinity);
     CHECK(logarithm(infinity) == infinity);
     CHECK(logarithm1Plus(infinity) == infinity);
-    for (const double bad : {-5e-324, -1.0, -infinity, nan}) CHECK(std::isnan(logarithm(bad)));
-    for (const double bad : {-1.0000000000000002, -infinity, nan}) CHECK(std::isnan(logarithm1Plus(bad)));
+    for (const double bad : {-5e-324, -1.0, -infinity, test::nan}) CHECK(std::isnan(logarithm(bad)));
+    for (const double bad : {-1.0000000000000002, -infinity, test::nan}) CHECK(std::isnan(logarithm1Plus(bad)));
 }
