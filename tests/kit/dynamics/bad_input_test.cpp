@@ -80,7 +80,8 @@ const NameSet otherwise = setOf(
     "World.castShapeAll(filter) World.castShapePieces(filter) World.overlapBox(filter) World.overlapShape(filter) "
     "World.overlapPoint(filter) World.nearest(filter) World.addField(def) World.contains(field) World.remove(field) "
     "World.field(field) Field.set(def) World.explode(explosion) World.explode(filter) World.World(other) "
-    "World.World(EmptyBraces) forecast(world) forecast(body) forecast(shot) forecast(ticks) forecast(dt)");
+    "isVector(v) isChainSegment(shape) World.World(EmptyBraces) forecast(world) forecast(body) forecast(shot) "
+    "forecast(ticks) forecast(dt)");
 
 bool has(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();

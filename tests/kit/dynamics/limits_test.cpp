@@ -371,7 +371,7 @@ TEST_CASE("shapes and anchors up to 1e5 m from their body, and masses of 1e-12 t
         CHECK(isAllowed({.mass = plumb::Mass{mass, {0, 0}, mass}}) == (mass >= 1e-12 && mass <= 1e12));
 }
 
-TEST_CASE("a step of 1 s is taken, and one of 1.001 s refused; one of 0.9 ns meets nothing, one of 1.1 ns does",
+TEST_CASE("a step of 1 s is taken, and one of 1.001 s refused, one of 0.9 ns meets nothing, one of 1.1 ns does",
           "[dynamics][limits]") {
     for (const double step : {1.0, 1.001, 0.9e-9, 1.1e-9}) {
         World world = onFlatGround({.gravity = {0, 0}});

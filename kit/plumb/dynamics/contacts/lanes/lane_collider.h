@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Which functions collide and prepare the contacts of a whole batch? The same templates for each number of lanes.
 #pragma once
+#include <plumb/collide/lanes/body_place.h>
 #include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/dynamics/bodies/solver_body.h>
+#include <plumb/dynamics/contacts/contact_batch.h>
 
 namespace plumb {
 

@@ -6,6 +6,7 @@
 #include <plumb/collide/lanes/relative_lanes.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/dynamics/contacts/bounces.h>
+#include <plumb/dynamics/contacts/lanes/lane_collider.h>
 #include <plumb/dynamics/contacts/lanes/resting_arms.h>
 
 namespace plumb {

@@ -6,6 +6,7 @@
 // Source: contact recycling in Box2D 3.2, which allows a motion of 5 cm.
 #pragma once
 #include <plumb/collide/lanes/classify_lanes.h>
+#include <plumb/dynamics/contacts/contact_batch.h>
 
 namespace plumb {
 
