@@ -17,9 +17,29 @@ bool isSorted(const Curve& curve) {
     return std::ranges::is_sorted(curve.points, {}, &Point::x);
 }
 
+/// Titles, named axes, and curves of names of their own by rising x.
+void checkGraphs(const LabRun& run) {
+    CHECK_FALSE(run.seen.empty());
+    std::set<std::string> titles;
+    for (const Graph& graph : run.graphs) {
+        INFO(graph.title);
+        CHECK(titles.insert(graph.title).second);
+        CHECK_FALSE(graph.x.label.empty());
+        CHECK_FALSE(graph.y.label.empty());
+        std::set<std::string> names;
+        for (const Curve& curve : graph.curves) {
+            INFO(curve.name);
+            CHECK(names.insert(curve.name).second);
+            CHECK(curve.points.size() > 1);
+            CHECK(isSorted(curve));
+        }
+    }
+}
+
 }  // namespace
 
-TEST_CASE("every lab that comes with Plumb passes, with a value for each check", "[compare][lab][slow]") {
+TEST_CASE("every lab that comes with Plumb passes, with a value for each check and graphs that tell what they show",
+          "[compare][lab][slow]") {
     for (const Lab& lab : builtinLabs()) {
         INFO(lab.name);
         const LabResult result = runLab(lab, {}, engines());
@@ -30,6 +50,7 @@ TEST_CASE("every lab that comes with Plumb passes, with a value for each check",
             CHECK(outcome.pass);
         }
         CHECK(result.verdict == Verdict::Holds);
+        checkGraphs(result.run);
     }
 }
 
@@ -38,29 +59,6 @@ TEST_CASE("every lab passes without a Box2D, and without any engine", "[compare]
         INFO(lab.name);
         CHECK(runLab(lab, {"plumb"}, engines()).verdict != Verdict::Fails);
         CHECK(runLab(lab, {"closed-form"}, engines()).verdict != Verdict::Fails);
-    }
-}
-
-TEST_CASE("every graph has a title, named axes, and curves of their own names by rising x", "[compare][lab][slow]") {
-    std::vector<Engine> stepping = engines();  // a lab is never given the closed form
-    std::erase_if(stepping, [](const Engine& engine) { return engine.role == Role::Truth; });
-    for (const Lab& lab : builtinLabs()) {
-        const LabRun run = lab.run(stepping);
-        CHECK_FALSE(run.seen.empty());
-        std::set<std::string> titles;
-        for (const Graph& graph : run.graphs) {
-            INFO(lab.name << ": " << graph.title);
-            CHECK(titles.insert(graph.title).second);
-            CHECK_FALSE(graph.x.label.empty());
-            CHECK_FALSE(graph.y.label.empty());
-            std::set<std::string> names;
-            for (const Curve& curve : graph.curves) {
-                INFO(curve.name);
-                CHECK(names.insert(curve.name).second);
-                CHECK(curve.points.size() > 1);
-                CHECK(isSorted(curve));
-            }
-        }
     }
 }
 
