@@ -1,12 +1,15 @@
-// SPDX-License-Identifier: MIT What happens to bodies that go through a wall within a sub-step?  Contacts are
-// predicted, and in most cases they stop a body at the wall. This second test is for bodies whose motion differs from
-// the prediction because they were deflected, pushed or spun. After each sub-step the paths of fast bodies are searched
-// for walls that they have crossed, or have gone so deep into that the way out is on the wrong side. What crosses one
-// is moved back to where it met the wall, the impact is solved there, and it moves on for the rest of the sub-step. A
-// body that joints connect to others is moved back with all of them, and they all respond to the impulse. Where joints
-// open, because links turn far, the bodies move in pieces of the sub-step that are short enough for the joints. Source:
-// Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, ch. 2. Tests: "what flies at walls is never
-// left in the air", "joints hold where they fall on corners"
+// SPDX-License-Identifier: MIT
+// What happens to bodies that go through a wall within a sub-step?
+//
+// Contacts are predicted, and in most cases they stop a body at the wall. This second test is for bodies whose motion
+// differs from the prediction because they were deflected, pushed or spun. After each sub-step the paths of fast bodies
+// are searched for walls that they have crossed, or have gone so deep into that the way out is on the wrong side. What
+// crosses one is moved back to where it met the wall, the impact is solved there, and it moves on for the rest of the
+// sub-step. A body that joints connect to others is moved back with all of them, and they all respond to the impulse.
+// Where joints open, because links turn far, the bodies move in pieces of the sub-step that are short enough for the
+// joints.
+// Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, ch. 2.
+// Tests: "what flies at walls is never left in the air", "joints hold where they fall on corners"
 #pragma once
 #include <vector>
 
