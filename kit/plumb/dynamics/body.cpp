@@ -197,6 +197,8 @@ void Body::setAngularVelocity(double angularVelocity) {
     velocityChanged(*world_, index());
 }
 
+/// A jump: the velocity stays, and nothing between the two places is met. What lay on the body wakes while its contacts
+/// still tell what that was; locks and joints follow to the new place.
 void Body::setPose(const Vec2& position, double angle) {
     requireFinite(position, "Body.setPose: position");
     requireFinite(angle, "Body.setPose: angle");
@@ -240,6 +242,7 @@ void Body::applyImpulse(const Vec2& impulse) {
     applyImpulse(impulse, world_->bodies.motion[index()].center);
 }
 
+/// Checked by its result: a finite impulse may make a velocity that is not finite, of a light body.
 void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
     requireFinite(impulse, "Body.applyImpulse: impulse");
     requireFinite(at, "Body.applyImpulse: at");
@@ -266,6 +269,8 @@ void Body::applyAngularImpulse(double impulse) {
     wakeIsland(*world_, index());
 }
 
+/// Sets the velocity that leads there in one step, in place of a jump, so that contacts feel the motion and carry
+/// bodies along.
 void Body::moveTo(const Vec2& position, double angle, double dt) {
     requireFinite(position, "Body.moveTo: position");
     requireFinite(angle, "Body.moveTo: angle");

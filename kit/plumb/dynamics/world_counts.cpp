@@ -93,6 +93,8 @@ std::size_t bytesOf(const WorldState& w) {
 
 }  // namespace
 
+/// Growing vectors in the middle of a game cost a copy each; this does it before. Checked first, all of them, so that a
+/// bad number changes nothing.
 void World::reserve(const Capacity& capacity) {
     requireCountable(capacity.bodies, "Capacity.bodies");
     requireCountable(capacity.shapes, "Capacity.shapes");
@@ -118,6 +120,8 @@ void World::reserve(const Capacity& capacity) {
     });
 }
 
+/// Counted when asked, O(bodies + contacts), so that steps keep no numbers that few programs read. A shape of several
+/// pieces counts once; colours are stored as two lists each, of boxes and of others.
 WorldCounts World::counts() const {
     const WorldState& world = *state_;
     WorldCounts counts;

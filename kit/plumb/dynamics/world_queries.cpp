@@ -87,6 +87,8 @@ bool isCovered(const CastHit& area, const CastHit& hit) {
 /// Returns where a shape is met, if it is.
 using Meet = FunctionRef<std::optional<CastPoint>(ProxyId, const Vec2&)>;
 
+/// The first hit on the way. Outlines and areas of tile maps are kept apart, because an area counts only where its
+/// outline is not touched. The fraction found so far bounds the search in the space.
 std::optional<CastHit> firstHit(const ShapeQuery& query, const Mover& mover, Meet meet) {
     std::optional<CastHit> first, firstArea;
     query.visitAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
@@ -101,6 +103,7 @@ std::optional<CastHit> firstHit(const ShapeQuery& query, const Mover& mover, Mee
     return first;
 }
 
+/// All hits of all pieces, in order along the way.
 std::vector<CastHit> allHits(const ShapeQuery& query, const Mover& mover, Meet meet) {
     std::vector<CastHit> hits, areas;
     query.visitAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
@@ -281,6 +284,7 @@ std::optional<Nearest> World::nearest(const Vec2& point, double within, const Fi
     return nearest;
 }
 
+/// O(pieces of a x pieces of b): meant for shapes of few pieces. For a point and a large map, nearest() asks the space.
 Distance World::distance(ShapeId a, ShapeId b) const {
     const WorldState& world = *state_;
     const std::vector<ProxyId> piecesA = proxiesOf(world, a, "World.distance: a");

@@ -55,6 +55,7 @@ void requireTiles(const WorldState& world, ShapeId id, const char* field) {
 
 }  // namespace
 
+/// The number is used up only after all checks, so a refused shape leaves no gap.
 ShapeId World::add(BodyId id, const ShapeDef& shape) {
     requireBody(*state_, id, "BodyId");
     requireShape(shape, "ShapeDef");
@@ -135,6 +136,9 @@ std::uint64_t BodyShapeView::tag() const {
     return propertiesOf(*world_, known()).tag;
 }
 
+/// All is checked before anything changes. A change of properties keeps the pieces and their contacts with their
+/// impulses; a new outline replaces the shape under the same number, so its id stays right. What touches it wakes
+/// before, while its contacts still tell who that is.
 void BodyShape::set(const ShapeDef& def) {
     const ShapeId id = known();
     requireShape(def, "ShapeDef");

@@ -48,6 +48,7 @@ ProxyId addPiece(WorldState& world, BodyIndex body, const PieceDef& part, std::u
     return proxy;
 }
 
+/// O(contacts of the body) for each piece: a map under a crowd has many.
 void removePairs(WorldState& world, BodyIndex body, ProxyId proxy) {
     forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = world.contacts[index];
@@ -56,7 +57,8 @@ void removePairs(WorldState& world, BodyIndex body, ProxyId proxy) {
     removeSensorPairs(world.sensors, proxy);
 }
 
-/// Reads nothing but the list: it may be long.
+/// Reads nothing but the list, in one pass, and asks first whether a number is in the range of those that go: a map may
+/// have millions of pieces, and a block only some that lie near each other in it.
 void eraseFrom(std::vector<ProxyId>& proxies, std::span<const ProxyId> gone) {
     const auto [least, most] = std::minmax_element(gone.begin(), gone.end());
     std::erase_if(proxies, [gone, first = *least, last = *most](ProxyId proxy) {
@@ -77,6 +79,8 @@ ShapeDef withoutShape(const ShapeDef& whole) {
     return part;
 }
 
+/// Proxies are in the order of their shapes' numbers: O(log n). The upper end is compared in 64 bits, because the
+/// largest number plus one does not fit into 32.
 std::span<const ProxyId> piecesOf(const WorldState& world, BodyIndex body, std::uint32_t number) {
     const std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
     const auto isBelow = [&world](ProxyId proxy, std::uint32_t n) { return world.space[proxy].number < n; };
@@ -93,6 +97,7 @@ void measureAnew(WorldState& world, BodyIndex body) {
     measure(world, world.bodies.links[body].proxies, record);
 }
 
+/// WorldState::walls counts these, so that a world without walls skips all searches for them.
 std::uint32_t wallsOf(const WorldState& world, std::span<const ProxyId> proxies, BodyIndex body) {
     const BodyRecord& owner = world.bodies.record[body];
     if (owner.type == BodyType::Dynamic || !owner.enabled) return 0;
@@ -102,6 +107,7 @@ std::uint32_t wallsOf(const WorldState& world, std::span<const ProxyId> proxies,
     return static_cast<std::uint32_t>(std::count_if(proxies.begin(), proxies.end(), solid));
 }
 
+/// WorldState::chainPieces counts these, so that only worlds with chains look for discs that slide.
 std::uint32_t chainPiecesOf(const WorldState& world, std::span<const ProxyId> proxies) {
     const auto isOfChain = [&world](ProxyId proxy) {
         return world.space[proxy].piece && std::holds_alternative<Segment>(world.space[proxy].def.shape);
@@ -118,6 +124,7 @@ void outlinePiece(WorldState& world, ProxyId proxy, const Vec2& localCenter) {
     setOutline(world.contacts, proxy, outline, convex);
 }
 
+/// Inserts them behind the pieces of the same shape: the list stays in the order of numbers, on which piecesOf relies.
 std::vector<ProxyId> addPieces(WorldState& world, BodyIndex body, std::uint32_t number, std::span<const PieceDef> parts,
                                bool severalPieces) {
     std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
@@ -165,6 +172,8 @@ ShapeDef weightless(const ShapeDef& whole) {
     return part;
 }
 
+/// The pieces of tiles with the properties of their kind: outlines for contacts, areas for queries. A sensor needs no
+/// outline, because nothing touches it.
 std::vector<PieceDef> partsOf(const ShapeDef& whole, std::vector<TilePiece> pieces) {
     const ShapeDef common = weightless(whole);
     std::vector<PieceDef> parts;
@@ -232,6 +241,7 @@ void renewBlock(WorldState& world, BodyIndex body, std::uint32_t number, Cell bl
 
 }  // namespace
 
+/// Block by block, so that an edit replaces the pieces of one block, however large the map is.
 void addTiles(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
     TileShape& tiles = world.tiles[{body, number}];
     tiles = {def, {}};
@@ -244,6 +254,8 @@ void addTiles(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint3
                 addPieces(world, body, number, partsOf(tiles.def, tilePiecesOf(tiles.map(), {column, row})), true);
 }
 
+/// Pieces may end at a tile of the next block, so the blocks beside an edge are renewed, too. Test: "a map edited 200
+/// times is the map made so from the start, for rays, points and what falls on it"
 void editTile(WorldState& world, BodyIndex body, std::uint32_t number, Cell cell, const Tile& tile) {
     TileShape& tiles = world.tiles.at({body, number});
     TileMap& map = std::get<TileMap>(tiles.def.shape);

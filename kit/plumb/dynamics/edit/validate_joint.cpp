@@ -154,6 +154,8 @@ std::string nameOf(const JointDef& def) {
     return std::visit([]<class Def>(const Def&) { return definitionName<Def>.type; }, def);
 }
 
+/// Ids come first, because the later checks look at their bodies; then each number; then what numbers do together; and
+/// last the anchors, when their coordinates are known to be finite.
 void validate(const WorldState& world, const JointDef& def) {
     const std::string name = nameOf(def);
     const MemberPath path{name};
