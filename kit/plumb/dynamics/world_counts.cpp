@@ -38,6 +38,7 @@ std::size_t sumOf(const Vectors&... vectors) {
     return (std::size_t{0} + ... + bytesOf(vectors));
 }
 
+/// Reserved memory counts, not only what is in use (bytesOf of arrays.h): the question is what the world takes.
 std::size_t bytesOf(const BodyStore& b) {
     std::size_t bytes =
         sumOf(b.motion, b.record, b.links, b.apart, b.step, b.place, b.velocity, b.displacement, b.warm, b.before,

@@ -14,6 +14,7 @@ namespace plumb {
 
 namespace {
 
+/// Does the body's mass follow its shapes? Then an edit of a shape may leave it without mass, and must be refused.
 bool weighsByShapes(const BodyRecord& record) {
     return record.type == BodyType::Dynamic && !record.massGiven;
 }
@@ -37,6 +38,8 @@ void requireThicknessWith(const WorldState& world, ShapeId id, const ShapeDef& d
     if (!thick) requireThickness(std::span(&def, 1), std::string(field) + ".shape");
 }
 
+/// May the pieces and contacts of a stay, if a becomes b? Material, filter and tag may differ: alterShape changes
+/// these.
 bool meetsAlike(const ShapeDef& a, const ShapeDef& b) {
     return a.shape == b.shape && a.sensor == b.sensor && a.oneWay == b.oneWay && a.rule == b.rule;
 }
@@ -70,6 +73,7 @@ ShapeId World::add(BodyId id, const ShapeDef& shape) {
     return added;
 }
 
+/// Checked and woken first: afterwards neither the pieces nor what touched them can be asked.
 void World::remove(ShapeId id) {
     requireShape(*state_, id, "ShapeId");
     const BodyIndex body = id.body.index;

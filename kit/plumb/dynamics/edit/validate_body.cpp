@@ -51,6 +51,7 @@ void validateTogether(const BodyDef& def, const std::string& field) {
 
 }  // namespace
 
+/// The sum of the shapes, unless the mass was given.
 Mass massOf(const BodyDef& def) {
     if (def.mass) return *def.mass;
     std::vector<Mass> parts;

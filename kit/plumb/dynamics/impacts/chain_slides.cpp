@@ -45,7 +45,7 @@ Vec2 nearestOn(const Vec2& start, const Vec2& end, const Vec2& point) {
     return start + std::clamp((point - start).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
 }
 
-/// Does the way from a to b cross that from c to d?
+/// Does the line from a to b cross that from c to d?
 bool waysCross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     const Vec2 ab = b - a, cd = d - c;
     return cross(ab, Vec2(c - a)) * cross(ab, Vec2(d - a)) < 0 && cross(cd, Vec2(a - c)) * cross(cd, Vec2(b - c)) < 0;

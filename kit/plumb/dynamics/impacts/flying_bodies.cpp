@@ -114,7 +114,7 @@ FlyingIndex FlyingBodies::first(FlyingIndex number) const {
     return number;
 }
 
-/// Two bodies that hit each other have one fate: if one is left to the solver, the other's motion after the impact is
+/// Two bodies that hit each other belong together: if one is left to the solver, the other's motion after the impact is
 /// void, too. Their work counts together from here on. Fixed bodies do not join groups, or all that meets one floor
 /// would.
 void FlyingBodies::unite(FlyingIndex a, FlyingIndex b) {
@@ -127,7 +127,7 @@ void FlyingBodies::unite(FlyingIndex a, FlyingIndex b) {
     }
     bodies_[other].parent = one;
     bodies_[one].isLeft = bodies_[one].isLeft || bodies_[other].isLeft;
-    for (FlyingIndex number : {a, b})  // a short way for the next search
+    for (FlyingIndex number : {a, b})  // a short path for the next search
         while (bodies_[number].parent != one) number = std::exchange(bodies_[number].parent, one);
 }
 

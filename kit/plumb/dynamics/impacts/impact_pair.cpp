@@ -41,8 +41,8 @@ ImpactBody impactBody(const BodyRecord& record, const MovingShape& shape, const 
 }
 
 /// Adds the impulses of an impact and their work. An impulse P along a direction in which the speed goes from v to v'
-/// does the work P (v + v') / 2, exactly. The belt's surface and bodies that impulses do not move are drivers: what
-/// they give is entered apart, or friction on a moving belt would seem to create energy.
+/// does the work P (v + v') / 2, exactly. The belt's surface and bodies that impulses do not move are drivers: their
+/// work is entered apart, or friction on a moving belt would seem to create energy.
 void addImpulses(const BodyStore& bodies, const ContactRecord& contact, const std::vector<PointImpulse>& given,
                  const TwoMotions& before, const TwoMotions& after, ImpactOutcome& outcome) {
     const Vec2 n = outcome.where.normal, t = perp(n);

@@ -29,7 +29,8 @@ void forEachLane(const ContactGraph& graph, Visit&& visit) {
 
 }  // namespace
 
-/// One contact: its impulses so far, and the velocities of its bodies.
+/// One contact: its impulses so far, and the velocities of its bodies. Two of them, before and after a half, are what
+/// noteContact compares.
 struct StepAudit::Lane {
     const ContactBatch& batch;
     std::size_t lane;
@@ -118,6 +119,7 @@ void StepAudit::noteFieldFlight(std::uint32_t flight) {
     account_.note(&EnergyLedger::solver, -(account.forced + account.damped + account.friction));
 }
 
+/// What none of these explains goes to the phase's own entry: for isolated impacts that is EnergyLedger::impacts.
 void StepAudit::noteImpact(double friction, double drivers, double bounce, const Vec2& ground) {
     account_.note(&EnergyLedger::friction, friction);
     account_.note(&EnergyLedger::drivers, drivers);
@@ -162,6 +164,8 @@ void StepAudit::beginHalf(const std::vector<BodyIndex>& solved) {
     }
 }
 
+/// The kick is a change of velocity like any other, so its work needs the velocity at the half's end: it is entered
+/// there.
 void StepAudit::noteFieldKick(BodyIndex body, const FieldKick& kick, const Vec2& base) {
     SolverVelocity& v = start_[body];
     v.x += static_cast<float>(kick.kept.velocity.x());
@@ -239,6 +243,7 @@ void StepAudit::noteRows(const JointRows& rows, const Vec3& impulses, const Vec3
     }
 }
 
+/// Of a bounce that passes through joints: whole an impact.
 void StepAudit::noteRowImpact(const JointRows& rows, double impulse) {
     given_.push_back(givenBy(rows, 0, impulse));
     given_.back().impact = impulse;
@@ -283,13 +288,13 @@ void StepAudit::endHalf() {
     fieldsGiven_.clear();
 }
 
-/// Is the approach faster than what gravity gives a resting body in two steps? The approach is that at the step's
-/// start, or that before a half of a sub-step: joints and other impacts may have turned a body towards what it then
-/// hits.
+/// Is the approach faster than what gravity makes of rest in two steps? The approach is that at the step's start, or
+/// that before a half of a sub-step: joints and other impacts may have turned a body towards what it then hits.
 bool StepAudit::hits(double approach) const {
     return approach > 2 * bodies_.gravity.norm() * bodies_.lastStep + 1e-3;
 }
 
+/// As beginHalf; the totals of all points are copied, because bounce adds to them only.
 void StepAudit::beginBounces() {
     start_ = bodies_.velocity;
     totals_.clear();

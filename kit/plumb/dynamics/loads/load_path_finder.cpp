@@ -12,7 +12,7 @@ namespace plumb {
 namespace {
 
 // How much heavier must a body be? The more contacts count, the dearer a heap of bodies of all sizes is. A rest needs
-// no path up to restRatio, because springs that are pressed in a little further bear it: at 15.9 times the mass, a box
+// no path up to restRatio, because springs that are compressed a little further carry it: at 15.9 times the mass, a box
 // of 1 m sinks in by 3.6 mm. A hit shows much earlier: at 1.5 times the mass, the heavier body would rebound. Tests: "a
 // box of 15.9 times the mass of the one below sinks in by 3.6 mm, of 16.1 times by 0.2 mm", "a crate that falls on a
 // loose plank stops there"
@@ -29,8 +29,8 @@ constexpr float hitSpeed = 4;
 /// sinks into twelve by 2 mm"
 constexpr std::uint32_t crowd = 12;
 
-/// Points whose surfaces are nearer than this bear load, even if they have not yet done so [m]: a support a fraction of
-/// a millimetre off may take its share within the step.
+/// Points whose surfaces are nearer than this carry load, even if they have not yet done so [m]: a support a fraction
+/// of a millimetre off may take its share within the step.
 constexpr float nearBy = 1e-3f;
 /// A point holds against a load if the cosine of the angle between them is at least this [-]: up to 73 degrees. Shares
 /// of points further aside would be more than three times the load itself.
@@ -147,7 +147,7 @@ void LoadPathFinder::findAll(const std::vector<BodyIndex>& solved) {
     if (!list_.paths.empty()) group();
 }
 
-/// Within the sub-steps only points count that bear load, no longer those that are merely near. If no path is found,
+/// Within the sub-steps only points count that carry load, no longer those that are merely near. If no path is found,
 /// the old one stays.
 void LoadPathFinder::findAgain(LoadPath& path, bool isRelax) {
     onlyLoaded_ = true;
@@ -252,7 +252,7 @@ LoadEffect LoadPathFinder::effectOn(BodyIndex body, const LoadRow& row) const {
     return {body, batch.normalX[lane], batch.normalY[lane], -p.anchorTangentB[lane]};
 }
 
-/// A body nearly as heavy as the load bears it by its own mass; joints have a solution of their own.
+/// A body nearly as heavy as the load stops it by its own mass; joints have a solution of their own.
 bool LoadPathFinder::passesOn(const LoadPath& path, BodyIndex body) const {
     const float heavy = bodies_.velocity[path.heavy].inverseMass;
     return bodies_.velocity[body].inverseMass >= passRatio * heavy && bodies_.isDynamic(body) &&
@@ -283,7 +283,7 @@ void LoadPathFinder::findSupports(const LoadPath& path, BodyIndex body, const Lo
     });
 }
 
-/// Does a point bear load, or will it as soon as its surfaces are nearer by this gap [m]?
+/// Does a point carry load, or will it as soon as its surfaces are nearer by this gap [m]?
 bool LoadPathFinder::carriesLoad(const LoadedContact& contact, std::uint32_t point, float gap) const {
     const PointLanes& p = contact.batch->points[point];
     if (!(p.normalMass[contact.lane] > 0)) return false;

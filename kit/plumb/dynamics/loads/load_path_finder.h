@@ -73,7 +73,7 @@ public:
 
     /// Finds all paths of this step. solved: the bodies that the solver moves.
     void findAll(const std::vector<BodyIndex>& solved);
-    /// Finds a path anew, only through points that bear load at present. isRelax: the impulses before this
+    /// Finds a path anew, only through points that carry load at present. isRelax: the impulses before this
     /// half still count.
     void findAgain(LoadPath& path, bool isRelax);
 
@@ -113,7 +113,7 @@ private:
     bool onlyLoaded_ = false, isRelax_ = false;
 
     // Of the path that is followed:
-    std::vector<BodyIndex> loaded_, passed_;  ///< bodies that bear the load; those that need not do so any more
+    std::vector<BodyIndex> loaded_, passed_;  ///< bodies that carry the load; those that need not do so any more
     std::vector<std::uint32_t> seen_;         ///< contacts of the loaded bodies, as places in the list
     std::vector<Support> supports_;           ///< of a loaded body
 };

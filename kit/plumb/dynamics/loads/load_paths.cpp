@@ -16,7 +16,7 @@ constexpr float stillPoint = 1e-4f;  ///< at a point [m/s]
 // or after as many passes as a quarter of the ratio of masses, between these bounds:
 constexpr float fewPasses = 4, manyPasses = 32;
 
-/// Times that a path is corrected [-]: each time but the last, it may have got stuck at a point that bears nothing.
+/// Times that a path is corrected [-]: each time but the last, it may have got stuck at a point without load.
 constexpr int tries = 3;
 
 /// The one nearer to zero; 0 if they have different signs.
@@ -127,7 +127,7 @@ ContactPass LoadPaths::firmPassOf(const LoadedContact& contact) const {
 }
 
 /// Corrects the sum of a path's errors. The first point that would have to pull stops the change (Change::least): it
-/// bears nothing any more, and the load needs another path. Returns true if that changed little.
+/// carries nothing any more, and the load needs another path. Returns true if that changed little.
 bool LoadPaths::correct(LoadPath& path, bool isRelax) {
     bool isStill = true;
     for (int i = 0; i < tries; ++i) {

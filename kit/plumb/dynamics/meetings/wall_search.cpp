@@ -26,7 +26,7 @@ constexpr double skin = 1e-4;
 constexpr float faceMargin = 3e-4f;
 /// A slower approach is none [m/s].
 constexpr double noApproach = 1e-6;
-/// So few kinematic bodies are looked at one by one [-]: the space, which has all shapes, would be the longer way.
+/// So few kinematic bodies are looked at one by one [-]: a query of the space, which has all shapes, would take longer.
 constexpr std::size_t fewKinematic = 8;
 /// Most depths at which a crossing is looked at [-]; each is a search for a time.
 constexpr int mostDepths = 6;

@@ -42,7 +42,7 @@ Pass passOf(const SolverSettings& settings, double h) {
 
 /// May the body meet something, and is it so fast that it could pass it? Such a body takes part in the sub-steps only
 /// so that WallStops sees its path. The bound is that of SolverTurn, as limitByWalls has left it. What goes around a
-/// world that wraps has no contacts along its way.
+/// world that wraps has no contacts along its path.
 bool mayPass(const BodyStore& bodies, BodyIndex body) {
     if (!(speedSquared(bodies.velocity[body]) > bodies.turn[body].farSpeedSquared)) return false;
     const BodyPlace& place = bodies.place[body];

@@ -32,7 +32,8 @@ constexpr double floatError = 1e-6;
 /// If less than this share of a sub-step is left, it is over [-].
 constexpr double roundOff = 1e-9;
 
-/// Joints may give a machine this share of its energy more in a sub-step in which it moves in pieces [-].
+/// Corrections of joints may raise the energy of a machine to at most this share of that before, in a sub-step in which
+/// it moves in pieces [-].
 constexpr double mostGained = 1.01;
 
 Aabb emptyBox() {
@@ -85,13 +86,16 @@ private:
 WallStops::WallStops(const WallStopStores& stores, double h)
     : stores_(stores), bodies_(stores.bodies), view_{stores.bodies, stores.contacts, stores.space}, h_(h) {}
 
+/// Would it move by more than farShare of its inradius in a whole step? The limits of SolverTurn are bounds; this is
+/// the exact question, and leaves few bodies.
 bool WallStops::hasMovedFar(BodyIndex body) const {
     const BodyRecord& record = bodies_.record[body];
     const SolverVelocity& v = bodies_.velocity[body];
     return travelOf(shiftOf(v, 1), turnBy(bodies_, body, v, 1), record) * bodies_.lastStep > farShare * record.inradius;
 }
 
-/// The place from which a slow body has moved; of a fast one, rounding would change it.
+/// The place from which a slow body has moved, computed back from where it is now. Of a fast one, rounding would change
+/// it: it has its place before the move in FastBody.
 WallStops::Mover WallStops::moverOf(BodyIndex body) const {
     const SolverDisplacement& d = bodies_.displacement[body];
     const SolverVelocity& v = bodies_.velocity[body];
@@ -201,7 +205,8 @@ void WallStops::travel(Group& group) {
     }
 }
 
-/// Can the island stay where it has moved, because it is far from walls and its joints hold?
+/// Can the island stay where it has moved, because it is far from walls and its joints hold? Asked once for each island
+/// in a sub-step, however many of its bodies are fast.
 bool WallStops::isClear(JointIsland& island) {
     std::vector<JointIsland>& islands = stores_.joints.islands.islands;
     if (checks_.empty()) checks_.assign(islands.size(), Check::Unknown);
