@@ -66,6 +66,7 @@ ShapeDef shapeOf(const WorldState& world, std::span<const ProxyId> pieces) {
     return def;
 }
 
+/// Before a shape changes or goes, checks ask what would be left. Pieces of maps have no density (shape_pieces.cpp).
 Mass massOfShapesWithout(const WorldState& world, BodyIndex body, std::uint32_t number) {
     std::vector<Mass> parts;
     for (const ProxyId proxy : world.bodies.links[body].proxies) {

@@ -15,6 +15,7 @@ namespace plumb {
 
 namespace {
 
+/// Of the outline in floats, from the centre of mass: that is what the narrow phase sees.
 double boundingRadiusOf(const Convex& convex) {
     float farthest = 0;
     for (int i = 0; i < convex.count; ++i)
@@ -22,7 +23,8 @@ double boundingRadiusOf(const Convex& convex) {
     return static_cast<double>(farthest + convex.radius);
 }
 
-/// Updates a body's radii with added pieces. Sensors do not count, because they do not touch anything.
+/// Updates a body's radii with added pieces: the outer ones are those of the farthest piece, the inradius is that of
+/// the thinnest, which is the first to pass through a wall. Sensors do not count, because they do not touch anything.
 void measure(const WorldState& world, std::span<const ProxyId> added, BodyRecord& record) {
     for (const ProxyId id : added) {
         const Proxy& proxy = world.space[id];
@@ -153,6 +155,8 @@ void removePieces(WorldState& world, BodyIndex body, std::span<const ProxyId> pi
     if (world.bodies.isDynamic(body) || world.bodies.links[body].proxies.empty()) measureAnew(world, body);
 }
 
+/// Only of this piece: bodies on the rest of a map sleep on. Test: "a body falls when the tile under it goes, and one
+/// that sleeps far along the floor sleeps on"
 void wakeTouchingPiece(WorldState& world, BodyIndex body, ProxyId piece) {
     std::vector<BodyIndex> others;
     forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
@@ -196,6 +200,7 @@ PieceDef placeholderOf(const ShapeDef& whole, const TileMap& map) {
     return part;
 }
 
+/// By value, because new pieces are cut without regard to the old ones.
 bool isSame(const WorldState& world, ProxyId proxy, const PieceDef& part) {
     const Proxy& there = world.space[proxy];
     return there.use == part.use && there.def.sensor == part.def.sensor && there.def.oneWay == part.def.oneWay &&
@@ -220,7 +225,8 @@ void wakeOn(WorldState& world, BodyIndex body, const std::vector<ProxyId>& piece
     for (const ProxyId piece : pieces) wakeTouchingPiece(world, body, piece);
 }
 
-/// Replaces a block's pieces. Pieces that do not change stay, with their contacts.
+/// Replaces a block's pieces. Pieces that do not change stay, with their contacts, and what rests on them feels
+/// nothing. O(old pieces x new pieces) of the block.
 void renewBlock(WorldState& world, BodyIndex body, std::uint32_t number, Cell block) {
     TileShape& tiles = world.tiles.at({body, number});
     std::vector<ProxyId>& present = tiles.blocks[{block.row, block.column}];

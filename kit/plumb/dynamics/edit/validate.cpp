@@ -53,6 +53,7 @@ void validate(const WorldDef& def) {
     requireMembers(def, {definitionName<WorldDef>.type});
 }
 
+/// A wider shape would meet its own image at the seam.
 void requireFit(const WorldState& world, const Shape& shape, const Transform& pose, const std::string& field) {
     const Wrap& wrap = world.bodies.wrap;
     if (!wrap.any()) return;
@@ -72,6 +73,7 @@ void requireFit(const WorldState& world, const BodyDef& def) {
         requireFit(world, def.shapes[i].shape, pose, "BodyDef.shapes[" + std::to_string(i) + "]");
 }
 
+/// A query visits each image that it reaches, so its cost grows with the rounds.
 void requireFewPeriods(const WorldState& world, const Aabb& box, double most, const std::string& field) {
     const Wrap& wrap = world.bodies.wrap;
     if (!wrap.any()) return;
@@ -165,6 +167,7 @@ void requireBody(const WorldState& world, BodyId id, std::string_view field) {
     refuseId(world, id, made, field, "body");
 }
 
+/// A body counts the shapes that it ever had, and never uses a number again: so a removed one can be told from none.
 void requireShape(const WorldState& world, ShapeId id, std::string_view field) {
     if (isKnown(world, id)) return;
     const std::string name(field);

@@ -193,8 +193,8 @@ private:
         startHalf(before);
         solveContacts(&ContactSolver::solve, before);
         if (observer_ != nullptr) observer_->endHalf();
-        // All constraints hold for these velocities; the bodies move along them, and what has crossed a wall is put
-        // back to it.
+        // These velocities keep contacts and joints, up to the errors that one pass leaves. What crosses a wall on its
+        // path is put back to it.
         move(solved_, batchesOf(stores_.joints), number);
         // Fields pull where the bodies are now: the pulls of the first half do not hold any more.
         fields_.moved();
