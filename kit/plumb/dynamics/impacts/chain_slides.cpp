@@ -296,7 +296,7 @@ std::vector<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore
     return slides;
 }
 
-/// After the solver. MovedBy::Solver, so that all that follows, as events and sleep, treats a disc like any body in
+/// After the solver. MovedBy::Solver, so that what follows, as sensors and sleep, treats a disc like any body in
 /// contact.
 void moveAlongChains(BodyStore& bodies, const std::vector<ChainSlideEnd>& slides, double dt, StepObserver* observer) {
     for (const ChainSlideEnd& slide : slides) {
