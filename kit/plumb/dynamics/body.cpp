@@ -53,6 +53,8 @@ void requirePushable(const WorldState& world, BodyIndex body, const char* field,
         refuse(field, toText(value) + " does nothing to a body that is " + nameOf(type) + ", not dynamic");
 }
 
+/// A contact as users see it: the mean forces of the last step, from its total impulses over the step's length. A
+/// contact that has left the solver keeps those of the step in which it was solved last, and that step's length.
 Contact contactOf(const WorldState& world, const ContactRecord& record) {
     const Vec2 normal = normalOf(world.graph, world.bodies, record);
     Contact contact{world.idOfShape(record.proxyA), world.idOfShape(record.proxyB), normal, {}};
@@ -79,6 +81,7 @@ BodyId BodyView::id() const {
     return id_;
 }
 
+/// Each call of a view checks its id, so a view of a body that was removed throws, and never reads another body.
 std::uint32_t BodyView::index() const {
     requireBody(*world_, id_, "BodyId");
     return id_.index;
@@ -146,6 +149,7 @@ std::uint64_t BodyView::tag() const {
     return world_->bodies.record[index()].tag;
 }
 
+/// Pieces of one shape stand side by side: each number is listed once.
 std::vector<ShapeId> BodyView::shapes() const {
     std::vector<ShapeId> shapes;
     for (const ProxyId proxy : world_->bodies.links[index()].proxies) {
@@ -197,6 +201,8 @@ void Body::setAngularVelocity(double angularVelocity) {
     velocityChanged(*world_, index());
 }
 
+/// A jump: the velocity stays, and nothing between the two places is met. What lay on the body wakes while its contacts
+/// still tell what that was; locks and joints follow to the new place.
 void Body::setPose(const Vec2& position, double angle) {
     requireFinite(position, "Body.setPose: position");
     requireFinite(angle, "Body.setPose: angle");
@@ -240,6 +246,7 @@ void Body::applyImpulse(const Vec2& impulse) {
     applyImpulse(impulse, world_->bodies.motion[index()].center);
 }
 
+/// Checked by its result: a finite impulse may make a velocity that is not finite, of a light body.
 void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
     requireFinite(impulse, "Body.applyImpulse: impulse");
     requireFinite(at, "Body.applyImpulse: at");
@@ -266,6 +273,8 @@ void Body::applyAngularImpulse(double impulse) {
     wakeIsland(*world_, index());
 }
 
+/// Sets the velocity that leads there in one step, in place of a jump, so that contacts feel the motion and carry
+/// bodies along.
 void Body::moveTo(const Vec2& position, double angle, double dt) {
     requireFinite(position, "Body.moveTo: position");
     requireFinite(angle, "Body.moveTo: angle");

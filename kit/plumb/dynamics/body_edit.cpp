@@ -49,6 +49,10 @@ void wakeIfMoving(WorldState& world, BodyIndex body) {
 
 }  // namespace
 
+/// All checks come first. Shapes are hidden and shown again, because a body's type decides which of its pairs become
+/// contacts; in between the body sleeps, in no list. A given mass is parked until the body is dynamic again. Tests: "a
+/// body of any type made another goes on as one that was added as that", "a given mass outlasts new shapes and a time
+/// as a static body"
 void Body::setType(BodyType type) {
     requireType(type, "Body.setType: type");
     WorldState& world = *world_;
@@ -143,6 +147,8 @@ void Body::sleep() {
     sleepIsland(*world_, index());
 }
 
+/// Both sides of the change wake what it concerns: neighbours, and what a magnet on the body draws. A body in
+/// quarantine is let out by this.
 void Body::setEnabled(bool enabled) {
     WorldState& world = *world_;
     BodyRecord& record = world.bodies.record[index()];

@@ -27,6 +27,7 @@ void addShapes(WorldState& world, BodyIndex body, const BodyDef& def) {
 
 }  // namespace
 
+/// The state is behind a pointer, so that a user's program includes none of the rooms.
 World::World(const WorldDef& def) {
     validate(def);
     auto state = std::make_unique<WorldState>();
@@ -84,12 +85,16 @@ BodyId World::add(const BodyDef& def) {
     bodies.rest(body);
     const bool moves = def.type == BodyType::Dynamic || !def.velocity.isZero(0) || def.angularVelocity != 0;
     if (moves && def.awake) bodies.wake(body);
+    // The lock itself brings the code of joints along: a program without locks and joints links none of it (lock.h).
     if (const JointEdits* joints = def.lockX.joints() ? def.lockX.joints() : def.lockY.joints())
         joints->lock(*state_, body, def.lockX, def.lockY);
+    // Last, because a lock wakes its body.
     if (!def.awake) bodies.putToSleep(body);
     return bodies.idOf(body);
 }
 
+/// In this order: neighbours are found by contacts and joints, so they wake first; a joint needs both of its bodies
+/// while it is removed; the slot is free only when nothing refers to it.
 void World::remove(BodyId id) {
     requireBody(*state_, id, "BodyId");
     WorldState& world = *state_;
@@ -116,6 +121,7 @@ BodyView World::body(BodyId id) const {
     return {*state_, id};
 }
 
+/// What calls have changed since the last step is closed in a copy, so that asking does not change the account.
 Ledger World::ledger() const {
     const WorldState& w = *state_;
     if (!w.account) refuse("World.ledger", "WorldDef.ledger was not set, so no account was kept");
@@ -140,6 +146,7 @@ Vec2 World::gravity() const {
     return state_->bodies.gravity;
 }
 
+/// What rests is in balance with the gravity of before, so everything wakes. O(bodies).
 void World::setGravity(const Vec2& gravity) {
     requireFinite(gravity, "World.setGravity: gravity");
     state_->bodies.gravity = gravity;

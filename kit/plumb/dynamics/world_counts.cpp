@@ -38,6 +38,7 @@ std::size_t sumOf(const Vectors&... vectors) {
     return (std::size_t{0} + ... + bytesOf(vectors));
 }
 
+/// Reserved memory counts, not only what is in use (bytesOf of arrays.h): the question is what the world takes.
 std::size_t bytesOf(const BodyStore& b) {
     std::size_t bytes =
         sumOf(b.motion, b.record, b.links, b.apart, b.step, b.place, b.velocity, b.displacement, b.warm, b.before,
@@ -93,6 +94,8 @@ std::size_t bytesOf(const WorldState& w) {
 
 }  // namespace
 
+/// Growing vectors in the middle of a game cost a copy each; this does it before. Checked first, all of them, so that a
+/// bad number changes nothing.
 void World::reserve(const Capacity& capacity) {
     requireCountable(capacity.bodies, "Capacity.bodies");
     requireCountable(capacity.shapes, "Capacity.shapes");
@@ -118,6 +121,8 @@ void World::reserve(const Capacity& capacity) {
     });
 }
 
+/// Counted when asked, O(bodies + contacts), so that steps keep no numbers that few programs read. A shape of several
+/// pieces counts once; colours are stored as two lists each, of boxes and of others.
 WorldCounts World::counts() const {
     const WorldState& world = *state_;
     WorldCounts counts;

@@ -30,6 +30,8 @@ std::span<const Quarantined> World::quarantines() const {
     return state_->events.quarantines;
 }
 
+/// In the order of slots, which does not depend on the order of the list awake. A body that was removed since the step
+/// has no pose any more. O(n log n).
 std::vector<BodyMoved> World::moves() const {
     const auto sorted = [](std::vector<BodyIndex> bodies) {
         std::sort(bodies.begin(), bodies.end());

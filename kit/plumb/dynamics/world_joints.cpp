@@ -80,6 +80,7 @@ void Joint::set(const JointDef& def) {
     changeJoint(*world_, index(), def);
 }
 
+/// For each kind of joint that has a motor; which ones do is asked of their definitions, so no list has to be kept.
 void Joint::setMotorSpeed(double speed) {
     JointDef changed = def();
     std::visit(

@@ -18,7 +18,7 @@ namespace plumb {
 
 namespace {
 
-/// The most times that a query may reach around a world that wraps: for the way of a cast, and for a box or shape [-].
+/// The most times that a query may reach around a world that wraps: for the path of a cast, and for a box or shape [-].
 constexpr double mostCastPeriods = 1000, mostBoxPeriods = 60;
 
 void requireShape(const Shape& shape, const Transform& pose, const std::string& query) {
@@ -72,6 +72,7 @@ struct Mover {
     Vec2 halfSize, from, to;
 };
 
+/// A cast asks the space with the box around its shape; the exact shape is compared with each candidate only.
 Mover moverOf(const Shape& shape, const Transform& pose, const Vec2& shift) {
     const Aabb box = aabbOf(shape, pose);
     const Vec2 center = 0.5 * box.lower + 0.5 * box.upper;
@@ -79,7 +80,7 @@ Mover moverOf(const Shape& shape, const Transform& pose, const Vec2& shift) {
 }
 
 /// Is a hit of a tile map's area made redundant by a hit of its outline? If something begins inside a tile map and
-/// touches the outline, the outline gives the way out; the area counts only if no outline is touched.
+/// touches the outline, the outline tells the direction out; the area counts only if no outline is touched.
 bool isCovered(const CastHit& area, const CastHit& hit) {
     return area.shape == hit.shape && !(area.fraction > 0) && !(hit.fraction > 0);
 }
@@ -87,6 +88,8 @@ bool isCovered(const CastHit& area, const CastHit& hit) {
 /// Returns where a shape is met, if it is.
 using Meet = FunctionRef<std::optional<CastPoint>(ProxyId, const Vec2&)>;
 
+/// The first hit on the way. Outlines and areas of tile maps are kept apart, because an area counts only where its
+/// outline is not touched. The fraction found so far bounds the search in the space.
 std::optional<CastHit> firstHit(const ShapeQuery& query, const Mover& mover, Meet meet) {
     std::optional<CastHit> first, firstArea;
     query.visitAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
@@ -101,6 +104,7 @@ std::optional<CastHit> firstHit(const ShapeQuery& query, const Mover& mover, Mee
     return first;
 }
 
+/// All hits of all pieces, in order along the way.
 std::vector<CastHit> allHits(const ShapeQuery& query, const Mover& mover, Meet meet) {
     std::vector<CastHit> hits, areas;
     query.visitAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
@@ -266,6 +270,8 @@ std::vector<ShapeId> World::overlapPoint(const Vec2& point, const Filter& filter
     return overlapping({*state_, filter}, Circle{.radius = 0}, {point, {}});
 }
 
+/// What was found bounds the rest of the search. Within a shape the separation is negative; then all shapes at the
+/// point are compared, so that the deepest is named, whatever the order in which the space has them.
 std::optional<Nearest> World::nearest(const Vec2& point, double within, const Filter& filter) const {
     requireFinite(point, "World.nearest: point");
     if (!(within >= 0)) refuse("World.nearest: within", toText(within) + " is not a distance");
@@ -281,6 +287,7 @@ std::optional<Nearest> World::nearest(const Vec2& point, double within, const Fi
     return nearest;
 }
 
+/// O(pieces of a x pieces of b): meant for shapes of few pieces. For a point and a large map, nearest() asks the space.
 Distance World::distance(ShapeId a, ShapeId b) const {
     const WorldState& world = *state_;
     const std::vector<ProxyId> piecesA = proxiesOf(world, a, "World.distance: a");

@@ -14,6 +14,7 @@ namespace plumb {
 
 namespace {
 
+/// Does the body's mass follow its shapes? Then an edit of a shape may leave it without mass, and must be refused.
 bool weighsByShapes(const BodyRecord& record) {
     return record.type == BodyType::Dynamic && !record.massGiven;
 }
@@ -37,6 +38,8 @@ void requireThicknessWith(const WorldState& world, ShapeId id, const ShapeDef& d
     if (!thick) requireThickness(std::span(&def, 1), std::string(field) + ".shape");
 }
 
+/// May the pieces and contacts of a stay, if a becomes b? Material, filter and tag may differ: alterShape changes
+/// these.
 bool meetsAlike(const ShapeDef& a, const ShapeDef& b) {
     return a.shape == b.shape && a.sensor == b.sensor && a.oneWay == b.oneWay && a.rule == b.rule;
 }
@@ -55,6 +58,7 @@ void requireTiles(const WorldState& world, ShapeId id, const char* field) {
 
 }  // namespace
 
+/// The number is used up only after all checks, so a refused shape leaves no gap.
 ShapeId World::add(BodyId id, const ShapeDef& shape) {
     requireBody(*state_, id, "BodyId");
     requireShape(shape, "ShapeDef");
@@ -69,6 +73,7 @@ ShapeId World::add(BodyId id, const ShapeDef& shape) {
     return added;
 }
 
+/// Checked and woken first: afterwards neither the pieces nor what touched them can be asked.
 void World::remove(ShapeId id) {
     requireShape(*state_, id, "ShapeId");
     const BodyIndex body = id.body.index;
@@ -135,6 +140,9 @@ std::uint64_t BodyShapeView::tag() const {
     return propertiesOf(*world_, known()).tag;
 }
 
+/// All is checked before anything changes. A change of properties keeps the pieces and their contacts with their
+/// impulses; a new outline replaces the shape under the same number, so its id stays right. What touches it wakes
+/// before, while its contacts still tell who that is.
 void BodyShape::set(const ShapeDef& def) {
     const ShapeId id = known();
     requireShape(def, "ShapeDef");

@@ -20,7 +20,10 @@ void removeAllPairs(WorldState& world, BodyIndex body) {
     for (const ProxyId proxy : world.bodies.links[body].proxies) removeSensorPairs(world.sensors, proxy);
 }
 
-/// Moves the centre of mass; the body's origin stays where it is.
+/// Moves the centre of mass; the body's origin stays where it is, and so does each of its points with its velocity: so
+/// the velocity of the centre changes, if the body turns. All that is stored from the centre of mass, outlines,
+/// manifolds, anchors and radii, moves with it. Test: "a spinning body whose type, mass or shapes change stays where it
+/// is and moves on as it did"
 void recenter(WorldState& world, BodyIndex body, const Vec2& localCenter) {
     BodyRecord& record = world.bodies.record[body];
     const Vec2 shift = localCenter - record.localCenter;
@@ -48,6 +51,7 @@ void recenter(WorldState& world, BodyIndex body, const Vec2& localCenter) {
 
 }  // namespace
 
+/// A chain is stored only as its segments, a map once beside its pieces: so a shape needs no second copy of its points.
 ShapeDef shapeOf(const WorldState& world, std::span<const ProxyId> pieces) {
     ShapeDef def = world.space[pieces.front()].def;
     if (!world.space[pieces.front()].piece) return def;
@@ -62,6 +66,7 @@ ShapeDef shapeOf(const WorldState& world, std::span<const ProxyId> pieces) {
     return def;
 }
 
+/// Before a shape changes or goes, checks ask what would be left. Pieces of maps have no density (shape_pieces.cpp).
 Mass massOfShapesWithout(const WorldState& world, BodyIndex body, std::uint32_t number) {
     std::vector<Mass> parts;
     for (const ProxyId proxy : world.bodies.links[body].proxies) {
@@ -102,6 +107,8 @@ void wakeTouching(WorldState& world, BodyIndex body, std::uint32_t number) {
     wakeIsland(world, body);
 }
 
+/// Contacts that a new filter forbids go, the others get their new material. Pairs that it now allows are looked for at
+/// once, because the broad phase reports only pairs whose bounds have come to overlap since its last search.
 void alterShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
     const std::span<const ProxyId> pieces = piecesOf(world, body, number);
     const ShapeDef before = world.space[pieces.front()].def;
@@ -140,6 +147,7 @@ void removeShape(WorldState& world, BodyIndex body, std::uint32_t number) {
     world.tiles.erase({body, number});
 }
 
+/// All of a body at once: removing them one by one would search the list of proxies for each.
 void removeShapes(WorldState& world, BodyIndex body) {
     removeAllPairs(world, body);
     std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
@@ -153,6 +161,9 @@ void removeShapes(WorldState& world, BodyIndex body) {
     world.tiles.erase(world.tiles.lower_bound({body, 0}), world.tiles.upper_bound({body, none}));
 }
 
+/// After a jump, or when shapes are shown again. The bounds are placed now and marked as new, so the next step finds
+/// pairs at the new place, also with sleeping bodies; notePlaced lets overlap there be shifted apart
+/// (loads/push_apart.h) in place of flinging the body.
 void findPairsAgain(WorldState& world, BodyIndex body) {
     removeAllPairs(world, body);
     if (!world.bodies.record[body].enabled) return;
@@ -169,6 +180,7 @@ void fixShapes(WorldState& world, BodyIndex body) {
     }
 }
 
+/// wallsOf counts nothing for a body that is disabled, so walls are subtracted first; showShapes enables it first.
 void hideShapes(WorldState& world, BodyIndex body) {
     removeAllPairs(world, body);
     const std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
@@ -191,9 +203,11 @@ void giveMass(WorldState& world, BodyIndex body, const Mass& mass) {
     world.joints.noteEdits(world.bodies.links[body].joints);
     // The solver's data of a contact depend on the bodies' inertia.
     forEachContact(world.bodies, world.contacts, body, [&world](ContactIndex c) { renewContact(world, c); });
+    // Its place in the solver's floats holds its inertia; an awake body is loaded anew in each step.
     if (!world.bodies.record[body].awake) world.bodies.rest(body);
 }
 
+/// Nothing happens if the mass stays: an edit of a tag must not renew contacts or wake the body.
 void updateMassFromShapes(WorldState& world, BodyIndex body) {
     const BodyRecord& record = world.bodies.record[body];
     if (record.type != BodyType::Dynamic || record.massGiven) return;

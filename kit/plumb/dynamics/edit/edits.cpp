@@ -21,6 +21,7 @@ void sleepIsland(WorldState& world, BodyIndex body) {
     sleepIsland({world.bodies, world.graph, world.contacts, world.joints, world.space}, body);
 }
 
+/// The end event is added here, because ids of its shapes may be gone when the next step reports it.
 void removeContact(WorldState& world, ContactIndex index) {
     const ContactRecord& contact = world.contacts[index];
     if (contact.touching)
@@ -32,6 +33,8 @@ void renewContact(WorldState& world, ContactIndex contact) {
     renewContact(world.graph, world.contacts, world.bodies, contact);
 }
 
+/// For pairs from the broad phase and from edits. What a call has put into a sleeping body must wake it
+/// (PairKind::AtSleeper).
 void addPair(WorldState& world, const ShiftedShapes& pair) {
     const PairKind kind = addPair(world.contacts, world.bodies, world.space, pair);
     if (kind == PairKind::AtSensor) addSensorPair(world.sensors, world.space, pair.shapes, pair.shift);
@@ -47,6 +50,7 @@ void addPairs(WorldState& world, std::span<const ShiftedShapes> pairs) {
     }
 }
 
+/// The body that carries a magnet is drawn by what it draws, so it wakes, too.
 void wakeInfluenced(WorldState& world, const FieldRecord& field) {
     const FieldStores view{world.fields, world.bodies, world.space};
     std::vector<BodyIndex> influenced = view.fields.phases->bodiesInfluencedBy(view, field);

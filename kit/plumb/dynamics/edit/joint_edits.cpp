@@ -17,6 +17,8 @@ struct JointBodies {
     Breaking breaking;
 };
 
+/// Which bodies a joint links, and whether they may touch. A gear acts on the second bodies of its two joints; a target
+/// has one body and the world.
 JointBodies bodiesOf(const WorldState& world, const JointDef& def) {
     return std::visit(
         [&world]<class Def>(const Def& d) -> JointBodies {
@@ -32,6 +34,7 @@ JointBodies bodiesOf(const WorldState& world, const JointDef& def) {
         def);
 }
 
+/// Once for each joint that forbids contacts, so the pair stays apart until the last of them is gone.
 void keepApart(BodyStore& bodies, BodyIndex a, BodyIndex b) {
     bodies.apart[a].push_back(b);
     bodies.apart[b].push_back(a);
@@ -45,6 +48,8 @@ void keepApartNoMore(BodyStore& bodies, BodyIndex a, BodyIndex b) {
     eraseOne(bodies.apart[b], a);
 }
 
+/// Enters a joint with its bodies. The tables of joints are set here, by the first joint: a program without joints does
+/// not link their code (jointed/joint_phases.h). Contacts that the joint forbids go at once.
 void link(WorldState& world, JointIndex index) {
     const JointRecord& record = world.joints[index];
     world.jointPhases = &jointPhases;
@@ -63,6 +68,10 @@ void link(WorldState& world, JointIndex index) {
     });
 }
 
+/// The reverse of link. Bodies get the inertia of their own again, because a stiff joint may have set another. Bodies
+/// that may touch again may have been near all the time, and then the broad phase does not report them as new: their
+/// pairs are added here. Test: "bodies joined without collideConnected pass through each other until the joint is
+/// removed"
 void unlink(WorldState& world, JointIndex index) {
     const JointRecord& record = world.joints[index];
     BodyStore& bodies = world.bodies;
@@ -103,6 +112,7 @@ JointIndex addJoint(WorldState& world, const JointDef& def) {
     return index;
 }
 
+/// A gear cannot outlive the joints that it drives. The list is copied, because release changes it.
 void removeJoint(WorldState& world, JointIndex joint) {
     const std::vector<JointIndex> gears = world.joints.gears;
     for (const JointIndex other : gears) {
@@ -115,6 +125,8 @@ void removeJoint(WorldState& world, JointIndex joint) {
     world.joints.release(joint);
 }
 
+/// Keeps the joint's impulses as first guess. Only collideConnected changes what link has entered, so only then it is
+/// linked anew.
 void changeJoint(WorldState& world, JointIndex index, const JointDef& def) {
     JointRecord& record = world.joints[index];
     const JointBodies bodies = bodiesOf(world, def);
@@ -133,6 +145,8 @@ void removeJointsOf(WorldState& world, BodyIndex body) {
     while (!world.bodies.links[body].joints.empty()) removeJoint(world, world.bodies.links[body].joints.back());
 }
 
+/// First all joints are compared with their limits, then the broken ones removed: so it does not matter which comes
+/// first, and a gear that broke may be gone already with one of its joints. O(joints that can break).
 void breakJoints(WorldState& world) {
     std::vector<JointIndex> broken;
     for (const JointIndex index : world.jointIslands.breakable) {
@@ -149,6 +163,7 @@ void breakJoints(WorldState& world) {
         if (!world.joints[index].isFree()) removeJoint(world, index);
 }
 
+/// A lock is a hidden joint to the world, which World::joints does not list.
 void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY) {
     forEachLock(world, body, [&](JointIndex index, const LockJoint&) { removeJoint(world, index); });
     if (!lockX && !lockY) return;
@@ -167,6 +182,7 @@ void moveLocks(WorldState& world, BodyIndex body) {
     });
 }
 
+/// Else a joint would pull a body that was put over the seam all the way back around the world.
 void takeNearestImages(WorldState& world, BodyIndex body) {
     const BodyStore& bodies = world.bodies;
     if (!bodies.wrap.any()) return;

@@ -15,6 +15,7 @@ namespace plumb {
 
 namespace {
 
+/// Of the outline in floats, from the centre of mass: that is what the narrow phase sees.
 double boundingRadiusOf(const Convex& convex) {
     float farthest = 0;
     for (int i = 0; i < convex.count; ++i)
@@ -22,7 +23,8 @@ double boundingRadiusOf(const Convex& convex) {
     return static_cast<double>(farthest + convex.radius);
 }
 
-/// Updates a body's radii with added pieces. Sensors do not count, because they do not touch anything.
+/// Updates a body's radii with added pieces: the outer ones are those of the farthest piece, the inradius is that of
+/// the thinnest, which is the first to pass through a wall. Sensors do not count, because they do not touch anything.
 void measure(const WorldState& world, std::span<const ProxyId> added, BodyRecord& record) {
     for (const ProxyId id : added) {
         const Proxy& proxy = world.space[id];
@@ -48,6 +50,7 @@ ProxyId addPiece(WorldState& world, BodyIndex body, const PieceDef& part, std::u
     return proxy;
 }
 
+/// O(contacts of the body) for each piece: a map under a crowd has many.
 void removePairs(WorldState& world, BodyIndex body, ProxyId proxy) {
     forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = world.contacts[index];
@@ -56,7 +59,8 @@ void removePairs(WorldState& world, BodyIndex body, ProxyId proxy) {
     removeSensorPairs(world.sensors, proxy);
 }
 
-/// Reads nothing but the list: it may be long.
+/// Reads nothing but the list, in one pass, and asks first whether a number is in the range of those that go: a map may
+/// have millions of pieces, and a block only some that lie near each other in it.
 void eraseFrom(std::vector<ProxyId>& proxies, std::span<const ProxyId> gone) {
     const auto [least, most] = std::minmax_element(gone.begin(), gone.end());
     std::erase_if(proxies, [gone, first = *least, last = *most](ProxyId proxy) {
@@ -77,6 +81,8 @@ ShapeDef withoutShape(const ShapeDef& whole) {
     return part;
 }
 
+/// Proxies are in the order of their shapes' numbers: O(log n). The upper end is compared in 64 bits, because the
+/// largest number plus one does not fit into 32.
 std::span<const ProxyId> piecesOf(const WorldState& world, BodyIndex body, std::uint32_t number) {
     const std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
     const auto isBelow = [&world](ProxyId proxy, std::uint32_t n) { return world.space[proxy].number < n; };
@@ -93,6 +99,7 @@ void measureAnew(WorldState& world, BodyIndex body) {
     measure(world, world.bodies.links[body].proxies, record);
 }
 
+/// WorldState::walls counts these, so that a world without walls skips all searches for them.
 std::uint32_t wallsOf(const WorldState& world, std::span<const ProxyId> proxies, BodyIndex body) {
     const BodyRecord& owner = world.bodies.record[body];
     if (owner.type == BodyType::Dynamic || !owner.enabled) return 0;
@@ -102,6 +109,7 @@ std::uint32_t wallsOf(const WorldState& world, std::span<const ProxyId> proxies,
     return static_cast<std::uint32_t>(std::count_if(proxies.begin(), proxies.end(), solid));
 }
 
+/// WorldState::chainPieces counts these, so that only worlds with chains look for discs that slide.
 std::uint32_t chainPiecesOf(const WorldState& world, std::span<const ProxyId> proxies) {
     const auto isOfChain = [&world](ProxyId proxy) {
         return world.space[proxy].piece && std::holds_alternative<Segment>(world.space[proxy].def.shape);
@@ -118,6 +126,7 @@ void outlinePiece(WorldState& world, ProxyId proxy, const Vec2& localCenter) {
     setOutline(world.contacts, proxy, outline, convex);
 }
 
+/// Inserts them behind the pieces of the same shape: the list stays in the order of numbers, on which piecesOf relies.
 std::vector<ProxyId> addPieces(WorldState& world, BodyIndex body, std::uint32_t number, std::span<const PieceDef> parts,
                                bool severalPieces) {
     std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
@@ -146,6 +155,8 @@ void removePieces(WorldState& world, BodyIndex body, std::span<const ProxyId> pi
     if (world.bodies.isDynamic(body) || world.bodies.links[body].proxies.empty()) measureAnew(world, body);
 }
 
+/// Only of this piece: bodies on the rest of a map sleep on. Test: "a body falls when the tile under it goes, and one
+/// that sleeps far along the floor sleeps on"
 void wakeTouchingPiece(WorldState& world, BodyIndex body, ProxyId piece) {
     std::vector<BodyIndex> others;
     forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
@@ -165,6 +176,8 @@ ShapeDef weightless(const ShapeDef& whole) {
     return part;
 }
 
+/// The pieces of tiles with the properties of their kind: outlines for contacts, areas for queries. A sensor needs no
+/// outline, because nothing touches it.
 std::vector<PieceDef> partsOf(const ShapeDef& whole, std::vector<TilePiece> pieces) {
     const ShapeDef common = weightless(whole);
     std::vector<PieceDef> parts;
@@ -187,6 +200,7 @@ PieceDef placeholderOf(const ShapeDef& whole, const TileMap& map) {
     return part;
 }
 
+/// By value, because new pieces are cut without regard to the old ones.
 bool isSame(const WorldState& world, ProxyId proxy, const PieceDef& part) {
     const Proxy& there = world.space[proxy];
     return there.use == part.use && there.def.sensor == part.def.sensor && there.def.oneWay == part.def.oneWay &&
@@ -211,7 +225,8 @@ void wakeOn(WorldState& world, BodyIndex body, const std::vector<ProxyId>& piece
     for (const ProxyId piece : pieces) wakeTouchingPiece(world, body, piece);
 }
 
-/// Replaces a block's pieces. Pieces that do not change stay, with their contacts.
+/// Replaces a block's pieces. Pieces that do not change stay, with their contacts, and what rests on them feels
+/// nothing. O(old pieces x new pieces) of the block.
 void renewBlock(WorldState& world, BodyIndex body, std::uint32_t number, Cell block) {
     TileShape& tiles = world.tiles.at({body, number});
     std::vector<ProxyId>& present = tiles.blocks[{block.row, block.column}];
@@ -232,6 +247,7 @@ void renewBlock(WorldState& world, BodyIndex body, std::uint32_t number, Cell bl
 
 }  // namespace
 
+/// Block by block, so that an edit replaces the pieces of one block, however large the map is.
 void addTiles(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
     TileShape& tiles = world.tiles[{body, number}];
     tiles = {def, {}};
@@ -244,6 +260,8 @@ void addTiles(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint3
                 addPieces(world, body, number, partsOf(tiles.def, tilePiecesOf(tiles.map(), {column, row})), true);
 }
 
+/// Pieces may end at a tile of the next block, so the blocks beside an edge are renewed, too. Test: "a map edited 200
+/// times is the map made so from the start, for rays, points and what falls on it"
 void editTile(WorldState& world, BodyIndex body, std::uint32_t number, Cell cell, const Tile& tile) {
     TileShape& tiles = world.tiles.at({body, number});
     TileMap& map = std::get<TileMap>(tiles.def.shape);

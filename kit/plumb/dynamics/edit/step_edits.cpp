@@ -36,6 +36,9 @@ void dropHitsOfNoPlace(WorldEvents& events) {
 
 }  // namespace
 
+/// Pairs that edits or impacts have added since the last search are reported once more, and known by the list early; it
+/// is sorted once, so each look-up costs O(log n). In a crowd, pairs that were left out come back first, as soon as
+/// their bodies have room.
 void addNewPairs(WorldState& w) {
     const SortedPairs& pairs = w.space.findNewPairs();
     const std::span<const Vec2> shifts = w.space.newPairShifts();
@@ -58,6 +61,9 @@ void addNewPairs(WorldState& w) {
     early.clear();
 }
 
+/// Called twice a step: after load, for what edits and fields did, and at the end, for what the step did. Neighbours
+/// wake, because what they lay on is gone. The body stays where its last finite state was. Test: "a body that overflows
+/// is put in quarantine with one event, and its neighbours go on"
 void quarantine(WorldState& world) {
     const std::vector<BodyIndex> leaving = std::move(world.bodies.outOfRange);
     world.bodies.outOfRange.clear();

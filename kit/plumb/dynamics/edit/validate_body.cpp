@@ -51,6 +51,7 @@ void validateTogether(const BodyDef& def, const std::string& field) {
 
 }  // namespace
 
+/// The sum of the shapes, unless the mass was given.
 Mass massOf(const BodyDef& def) {
     if (def.mass) return *def.mass;
     std::vector<Mass> parts;
@@ -58,6 +59,8 @@ Mass massOf(const BodyDef& def) {
     return combine(parts);
 }
 
+/// Contacts are soft, and predicted a few millimetres ahead: thinner bodies would sink into each other. Test: "a box of
+/// 10 um on a floor, which went 9.6 m/s, is refused, with the smallest size and what to do"
 void requireThickness(std::span<const ShapeDef> shapes, const std::string& field) {
     const double radius = halfThicknessOf(shapes);
     if (radius < leastHalfThickness * (1 - 1e-9))
@@ -67,6 +70,7 @@ void requireThickness(std::span<const ShapeDef> shapes, const std::string& field
                           "millimetres, and multiply all lengths and WorldDef.gravity");
 }
 
+/// First each member alone, by its description, then what members say together: so a message names the simplest fault.
 void validate(const BodyDef& def, const std::string& field) {
     const MemberPath path{field};
     describe(def, BodyCheck{path});

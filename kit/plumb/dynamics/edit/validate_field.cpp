@@ -29,6 +29,7 @@ void validateRegion(const Shape& region) {
 
 }  // namespace
 
+/// Law by law, from their descriptions; ids depend on the world, and are checked below.
 void validate(const FieldDef& def) {
     std::visit(
         []<class Law>(const Law& law) {

@@ -132,6 +132,7 @@ struct Given {
     }
 };
 
+/// Reads from the descriptions which members these are, so a new kind of joint needs no list of its own.
 struct GivenOnce {
     std::vector<Given> all = {};
 
@@ -154,6 +155,8 @@ std::string nameOf(const JointDef& def) {
     return std::visit([]<class Def>(const Def&) { return definitionName<Def>.type; }, def);
 }
 
+/// Ids come first, because the later checks look at their bodies; then each number; then what numbers do together; and
+/// last the anchors, when their coordinates are known to be finite.
 void validate(const WorldState& world, const JointDef& def) {
     const std::string name = nameOf(def);
     const MemberPath path{name};
@@ -168,6 +171,7 @@ void validate(const WorldState& world, const JointDef& def) {
     std::visit([&](const auto& kind) { describe(kind, AnchorCheck{world, path}); }, def);
 }
 
+/// For Joint::setMotorSpeed, which sets a speed in order to have an effect.
 void requireMotor(const JointDef& def) {
     const std::string name = nameOf(def);
     const auto check = [&name](const auto& kind) {
@@ -176,6 +180,7 @@ void requireMotor(const JointDef& def) {
     std::visit(check, def);
 }
 
+/// A joint keeps its anchors and its impulses when it is set; with other bodies it would be another joint.
 void validateChange(const JointDef& from, const JointDef& to) {
     const std::string name = nameOf(to);
     if (from.index() != to.index())

@@ -10,6 +10,8 @@ namespace plumb {
 
 namespace {
 
+/// Checks each member by its description. Written in place (always_inline), so that only the checks get into a program,
+/// and none of the descriptions' texts (math/require_members.h).
 struct JointMemberCheck {
     const MemberPath& path;
     template <class T>

@@ -15,7 +15,8 @@ namespace plumb {
 
 namespace {
 
-/// Slower discs are left to the solver: it loses little there, and many of them are at rest [m/s].
+/// Slower discs are left to the solver: it loses (v dt / R)^2 of the energy, which is little there, and many of them
+/// are at rest, and would be searched in each step for nothing [m/s].
 constexpr double slowSlide = 0.05;
 /// A disc slides if its distance from the chain is in this range [m]. The solver may leave it a little above a curve.
 /// What bounces may be there on its way up or down: for that, the range ends at bouncing.
@@ -44,14 +45,15 @@ Vec2 nearestOn(const Vec2& start, const Vec2& end, const Vec2& point) {
     return start + std::clamp((point - start).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
 }
 
-/// Does the way from a to b cross that from c to d?
+/// Does the line from a to b cross that from c to d?
 bool waysCross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     const Vec2 ab = b - a, cd = d - c;
     return cross(ab, Vec2(c - a)) * cross(ab, Vec2(d - a)) < 0 && cross(cd, Vec2(a - c)) * cross(cd, Vec2(b - c)) < 0;
 }
 
-/// The disc of a body that is nothing but a disc around its centre, moves fast, and is moved by nothing but constant
-/// forces and contacts.
+/// The radius of a body that is nothing but a disc around its centre, moves fast, and is moved by nothing but constant
+/// forces and contacts with fixed bodies. All other bodies, nearly all of a world, end at one of these tests. Damping
+/// and fields have no place in the closed form of a slide.
 std::optional<double> freeDiscOf(const BodyStore& bodies, const Space& space, BodyIndex body) {
     if (!(bodies.motion[body].velocity.squaredNorm() > slowSlide * slowSlide)) return std::nullopt;
     const BodyLinks& links = bodies.links[body];
@@ -66,11 +68,14 @@ std::optional<double> freeDiscOf(const BodyStore& bodies, const Space& space, Bo
     return circle->radius;
 }
 
+/// Is a disc on a chain, and where is it after the step? One object for all discs: its lists keep their memory.
 class SlideSearch {
 public:
     SlideSearch(const BodyStore& bodies, const ContactStore& contacts, const Space& space, double dt)
         : bodies_(bodies), contacts_(contacts), space_(space), dt_(dt) {}
 
+    /// The chain below the disc, the disc's place on its path, and the place after dt; empty as soon as one of these
+    /// finds something that the closed form does not cover.
     std::optional<BodyMotion> slideOf(BodyIndex body) {
         const std::optional<double> radius = freeDiscOf(bodies_, space_, body);
         if (!radius || !findGround(body)) return std::nullopt;
@@ -114,6 +119,8 @@ private:
         });
     }
 
+    /// Is it a contact with a segment of the one chain, at rest and without belts, rules or sides? Any other contact
+    /// pushes the disc, too, so that its path is no longer that along the chain.
     bool addContact(const ContactRecord& contact) {
         const BodyIndex ground = otherOf(contact, disc_.body);
         const ProxyId id = contact.bodyA == ground ? contact.proxyA : contact.proxyB;
@@ -130,6 +137,7 @@ private:
         return true;
     }
 
+    /// A body's proxies are in the order of their shapes' numbers, so those of one shape are found in O(log n).
     void findChain() {
         const std::vector<ProxyId>& all = bodies_.links[disc_.ground].proxies;
         const auto isBefore = [this](ProxyId id, std::uint32_t number) { return space_[id].number < number; };
@@ -147,7 +155,9 @@ private:
                                         chain_.pieces.begin());
     }
 
-    /// Finds the nearest point of the chain, and whether the disc touches it and moves along it.
+    /// Finds the nearest point of the chain, and whether the disc touches it and moves along it. If the nearest point
+    /// is a vertex, the disc is on the arc around it. restingSpeed is the speed that the acceleration along the normal
+    /// makes in half a step: as in the solver, slower bounces are none.
     bool findPlace() {
         const BodyMotion& from = bodies_.motion[disc_.body];
         double nearest = std::numeric_limits<double>::infinity();
@@ -181,8 +191,8 @@ private:
         return (disc_.friction == 0 || startRolling()) && settle(height, normal);
     }
 
-    /// Does the disc roll, up to a slip that friction would end within the step? The angular momentum about its contact
-    /// point stays.
+    /// Does the disc roll, up to a slip that friction would end within the step: slip < mu a dt? The angular momentum
+    /// about its contact point stays: v = (v0 + k w r) / (1 + k), where w r is the speed of its rim.
     bool startRolling() {
         const BodyRecord& record = bodies_.record[disc_.body];
         const FlightLaw law = flightLawOf(bodies_, disc_.body);
@@ -196,7 +206,8 @@ private:
         return true;
     }
 
-    /// Moves the place towards the chain, without a change of energy, and takes the velocity along the normal.
+    /// Moves the place towards the chain, without a change of energy, and takes the velocity along the normal. The
+    /// solver leaves small gaps and overlaps; larger ones are halved in each step, so that nothing jumps.
     bool settle(double height, const Vec2& normal) {
         const double speed = std::abs(place_.speed), parting = bodies_.motion[disc_.body].velocity.dot(normal);
         // What does not bounce, and falls back within the step, goes on as if it had not parted.
@@ -227,7 +238,8 @@ private:
         return true;
     }
 
-    /// Does the disc meet the chain elsewhere, where it comes back to itself?
+    /// Does the disc meet the chain elsewhere, where it comes back to itself? At the end of the slide it must not
+    /// overlap with a segment, and the straight way there must not cross one that is not on its path.
     bool isHindered(const ChainPlace& end) const {
         const Vec2& start = bodies_.motion[disc_.body].center;
         const double least = std::min(disc_.radius, chain_.offset) - overlapAllowed;
@@ -252,7 +264,9 @@ private:
     ChainLaw law_;
 };
 
-/// Enters what the vertices took from the energy, and the ground's push.
+/// Enters what the vertices took from the energy, as impacts, and the ground's push: what changed the momentum besides
+/// the acceleration. The ledger leaves the disc's contacts in the solver out (StepAudit::isAlongChain), or both would
+/// count.
 void noteSlide(const BodyStore& bodies, const ChainSlideEnd& slide, double dt, StepObserver& observer) {
     const BodyMotion &from = bodies.motion[slide.body], &to = slide.motion;
     const BodyRecord& record = bodies.record[slide.body];
@@ -268,6 +282,9 @@ void noteSlide(const BodyStore& bodies, const ChainSlideEnd& slide, double dt, S
 
 }  // namespace
 
+/// MovedBy::Impacts keeps the solver from moving the discs, while it solves their contacts. Worlds that wrap are left
+/// out: distances to the chain do not look for its nearest image. O(awake bodies), and nearly all end at the first
+/// test.
 std::vector<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore& contacts, const Space& space,
                                            double dt) {
     std::vector<ChainSlideEnd> slides;
@@ -279,6 +296,8 @@ std::vector<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore
     return slides;
 }
 
+/// After the solver. MovedBy::Solver, so that what follows, as sensors and sleep, treats a disc like any body in
+/// contact.
 void moveAlongChains(BodyStore& bodies, const std::vector<ChainSlideEnd>& slides, double dt, StepObserver* observer) {
     for (const ChainSlideEnd& slide : slides) {
         if (observer != nullptr) noteSlide(bodies, slide, dt, *observer);

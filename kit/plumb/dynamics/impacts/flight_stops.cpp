@@ -8,10 +8,11 @@ namespace plumb {
 
 namespace {
 
-/// Most impacts of a body in a step; after that it stays where it is.
+/// Most impacts of a body with walls in a step [-]; after that it stays where it is. The queue of impacts usually sees
+/// walls first, so few paths change here.
 constexpr int mostFlightStops = 8;
 
-/// A body that flies alone.
+/// A body without joints, as the law of impacts at walls sees it: only its own mass responds.
 class FlyingAlone : public PushedBody {
 public:
     FlyingAlone(const BodyRecord& record, const BodyMotion& motion) : record_(record), motion_(motion) {}
@@ -36,7 +37,9 @@ public:
     FlightStops(const ImpactStores& stores, double dt)
         : stores_(stores), view_{stores.bodies, stores.contacts, stores.space}, dt_(dt) {}
 
-    /// Searches a segment. If its body meets a wall, the segment ends there, and others follow to the step's end.
+    /// Searches a segment. If its body meets a wall, the segment ends there, the impact is solved, and a new segment
+    /// follows to the step's end, which is searched in turn. True if the path has changed; path then replaces the
+    /// segment.
     bool stop(const TrajectorySegment& segment, Trajectories& path) {
         path = {segment};
         for (int impacts = 0; impacts <= mostFlightStops; ++impacts) {
@@ -45,6 +48,7 @@ public:
             if (!meets(last, hit)) break;
             const double duration = last.end - last.start, left = (1 - hit.time) * duration;
             last.end -= left;
+            // A body that waits stays where it is, though it has kept its velocity: the closed form would move it on.
             if (!isStay(last))
                 last.to = moveFreely(last.from, flightLawOf(stores_.bodies, last.body), last.end - last.start);
             FlyingAlone body(stores_.bodies.record[last.body], last.to);
@@ -62,6 +66,8 @@ public:
     std::vector<WallImpact> takeImpacts() { return std::move(impacts_); }
 
 private:
+    /// Static walls are searched only if the body moved far enough to pass one; kinematic ones always, as they may move
+    /// themselves. The sweep is the straight line between the segment's ends.
     bool meets(const TrajectorySegment& segment, WallHit& hit) const {
         const BodyRecord& record = stores_.bodies.record[segment.body];
         const Sweep sweep = sweepBetween(segment.from, segment.to, record);
@@ -81,6 +87,8 @@ private:
 
 }  // namespace
 
+/// Once a body was stopped, the rest of its segments belongs to a path that it did not take, so they are dropped. What
+/// it hit on that path keeps the impulse: to undo that, all later impacts would have to be solved anew.
 std::vector<WallImpact> stopFlights(const ImpactStores& stores, Trajectories& trajectories, double dt) {
     FlightStops stops(stores, dt);
     Trajectories all, path;

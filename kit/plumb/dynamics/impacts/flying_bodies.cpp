@@ -11,6 +11,9 @@ namespace plumb {
 FlyingBodies::FlyingBodies(const ImpactStores& stores, double dt)
     : stores_(stores), dt_(dt), numberOf_(stores.bodies.record.size(), none) {}
 
+/// The table from bodies to numbers is as long as the world has bodies, but only bodies with a pair get a record: in
+/// most steps these are few. An obstacle is seen at rest where the step found it: what the solver will do with it is
+/// not known yet.
 FlyingIndex FlyingBodies::find(BodyIndex body, bool isObstacle) {
     if (numberOf_[body] != none) return numberOf_[body];
     const FlyingIndex number = numberOf_[body] = static_cast<FlyingIndex>(bodies_.size());
@@ -28,6 +31,8 @@ FlyingIndex FlyingBodies::find(BodyIndex body, bool isObstacle) {
         added.flight.from.angularVelocity = 0;
         return number;
     }
+    // Fields that vary in space have no closed form. Their flight was predicted for the whole step, and is predicted
+    // again from each impact on.
     added.flight.law = flightLawOf(store, body);
     const std::uint32_t flight = store.step[body].flight;
     if (flight != none && !store.flights[flight].steady) {
@@ -37,6 +42,9 @@ FlyingIndex FlyingBodies::find(BodyIndex body, bool isObstacle) {
     return number;
 }
 
+/// The place at the impact needs no correction: the pair meets where the predicted path says. The velocity does,
+/// because the impulse is in proportion to it. The flight up to here is integrated again for that, and its part of the
+/// energy is entered in the account.
 void FlyingBodies::addFieldsAt(FlyingIndex number, BodyMotion& motion, double time) {
     const FlyingBody& body = bodies_[number];
     FlyingFields* fields = fieldsOf(body);
@@ -51,6 +59,8 @@ void FlyingBodies::addFieldsAt(FlyingIndex number, BodyMotion& motion, double ti
     fields->account += done.account;
 }
 
+/// From here on, the body's closed form starts at the impact. Predictions made before are void; the queue knows them by
+/// their numbers (ImpactPair::prediction).
 void FlyingBodies::depart(FlyingIndex number, const BodyMotion& arrived, const BodyMotion& departing, double time) {
     FlyingBody& body = bodies_[number];
     if (!body.isDynamic) return;
@@ -71,6 +81,9 @@ void FlyingBodies::renewFields(FlyingBody& body) {
     body.flight.law = fields->flight.flight.law;
 }
 
+/// The waiting body is an obstacle at rest for others, so its velocity is kept apart, in waiting_, until the step's
+/// end. Its time at rest becomes a segment of its own if walls may move: stopFlights then sees a wall that sweeps over
+/// it.
 void FlyingBodies::stop(FlyingIndex number, double time) {
     FlyingBody& body = bodies_[number];
     BodyMotion arrived = moveFreely(body.flight.from, body.flight.law, time - body.flight.time);
@@ -95,11 +108,15 @@ bool FlyingBodies::canFly(FlyingIndex number) const {
     return body.isDynamic && !body.isStopped && !isLeft(number);
 }
 
+/// Groups are a union-find: the root is always the lowest number, so that it does not depend on the order of impacts.
 FlyingIndex FlyingBodies::first(FlyingIndex number) const {
     while (bodies_[number].parent != number) number = bodies_[number].parent;
     return number;
 }
 
+/// Two bodies that hit each other belong together: if one is left to the solver, the other's motion after the impact is
+/// void, too. Their work counts together from here on. Fixed bodies do not join groups, or all that meets one floor
+/// would.
 void FlyingBodies::unite(FlyingIndex a, FlyingIndex b) {
     if (!bodies_[a].isDynamic || !bodies_[b].isDynamic) return;
     const FlyingIndex firstA = first(a), firstB = first(b);
@@ -110,10 +127,12 @@ void FlyingBodies::unite(FlyingIndex a, FlyingIndex b) {
     }
     bodies_[other].parent = one;
     bodies_[one].isLeft = bodies_[one].isLeft || bodies_[other].isLeft;
-    for (FlyingIndex number : {a, b})  // a short way for the next search
+    for (FlyingIndex number : {a, b})  // a short path for the next search
         while (bodies_[number].parent != one) number = std::exchange(bodies_[number].parent, one);
 }
 
+/// The only place where states are written: until here the world is as it was at the step's start, so a group that is
+/// left to the solver needs no undo. Its segments are dropped.
 void FlyingBodies::store(Trajectories& trajectories) {
     for (FlyingIndex number = 0; number < bodies_.size(); ++number)
         if (bodies_[number].isHit && !bodies_[number].isStopped && !isLeft(number)) flyToEnd(bodies_[number]);
@@ -136,6 +155,7 @@ void FlyingBodies::flyToEnd(FlyingBody& body) {
     storeBody(body, end);
 }
 
+/// MovedBy::Impacts tells the solver and free motion not to move the body again.
 void FlyingBodies::storeBody(FlyingBody& body, const BodyMotion& end) {
     BodyStore& store = stores_.bodies;
     if (const FlyingFields* fields = fieldsOf(body)) {

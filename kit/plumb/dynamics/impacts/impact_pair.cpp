@@ -10,7 +10,9 @@ namespace plumb {
 
 namespace {
 
-/// Where a pair should meet, a larger gap or a deeper overlap than this shows that the search has failed [m].
+/// Where a pair should meet, a larger gap or a deeper overlap than this shows that the search has failed [m]. A search
+/// that ended well is exact to rounding (see timeOfImpact), so a micrometre is far more than it leaves. An overlap may
+/// be larger, because a pair may start its step in one.
 constexpr double widestTouch = 1e-6;
 constexpr double deepestTouch = 1e-3;
 
@@ -31,13 +33,16 @@ MovingPair shapesOf(const ImpactStores& stores, const FlyingBodies& bodies, cons
     return shapes;
 }
 
-/// Without friction, no impact can turn a disc about its centre. Then rounding does not turn it either.
+/// Without friction, no impact can turn a disc about its centre. With an endless inertia, rounding of the arm does not
+/// turn it either: a gas of smooth discs keeps its spin of exactly zero.
 ImpactBody impactBody(const BodyRecord& record, const MovingShape& shape, const BodyMotion& motion, double friction) {
     const bool cannotTurn = friction == 0 && discOf(shape) != nullptr;
     return {motion, record.inverseMass, cannotTurn ? 0.0 : record.inverseInertia};
 }
 
-/// Adds the impulses of an impact and their work, computed from the mean of the speeds before and after.
+/// Adds the impulses of an impact and their work. An impulse P along a direction in which the speed goes from v to v'
+/// does the work P (v + v') / 2, exactly. The belt's surface and bodies that impulses do not move are drivers: their
+/// work is entered apart, or friction on a moving belt would seem to create energy.
 void addImpulses(const BodyStore& bodies, const ContactRecord& contact, const std::vector<PointImpulse>& given,
                  const TwoMotions& before, const TwoMotions& after, ImpactOutcome& outcome) {
     const Vec2 n = outcome.where.normal, t = perp(n);
@@ -58,6 +63,7 @@ void addImpulses(const BodyStore& bodies, const ContactRecord& contact, const st
 
 }  // namespace
 
+/// Searched from the later of the two bodies' last impacts on: before it, one of them was on another path.
 std::optional<double> nextImpact(const ImpactStores& stores, const FlyingBodies& bodies, const ImpactPair& pair,
                                  double dt) {
     if (pair.through || (!bodies.canFly(pair.a) && !bodies.canFly(pair.b))) return std::nullopt;
@@ -65,6 +71,8 @@ std::optional<double> nextImpact(const ImpactStores& stores, const FlyingBodies&
     return timeOfImpact(shapes.a, shapes.b, std::max(shapes.a.time, shapes.b.time), dt);
 }
 
+/// Only contacts with a rule or a one-way side cost anything here. What may pass is not asked again in this step (see
+/// ImpactPair::through).
 bool isLetThrough(const ImpactStores& stores, const FlyingBodies& bodies, const ImpactPair& pair, double time) {
     const ContactRecord& contact = stores.contacts[pair.contact];
     if (!contact.ruled || contact.verdict == Verdict::Solid) return false;
@@ -75,6 +83,9 @@ bool isLetThrough(const ImpactStores& stores, const FlyingBodies& bodies, const 
     return !isSolid(stores.contacts, stores.bodies, stores.space, pair.contact, face);
 }
 
+/// In order: both bodies to the place where they meet, their true speeds there with fields, the one or two points that
+/// touch, the impulses, their energy, and both flights begin anew. B is seen as the periodic image near A, and put back
+/// at the end.
 bool solvePair(const ImpactStores& stores, FlyingBodies& bodies, const ImpactPair& pair, double time,
                ImpactOutcome& outcome) {
     const ContactRecord& contact = stores.contacts[pair.contact];
@@ -85,6 +96,7 @@ bool solvePair(const ImpactStores& stores, FlyingBodies& bodies, const ImpactPai
     bodies.addFieldsAt(pair.b, e.b, time);
     outcome.where = e.distance;
     outcome.approachSpeed = std::max(outcome.approachSpeed, e.closingSpeed);
+    // Two faces that meet flat push at both ends of their common part: one point would turn a box that lands flat.
     const std::vector<Vec2> points =
         touchingPoints(stores.space[contact.proxyA].convex, e.a, stores.space[contact.proxyB].convex, e.b, e.distance,
                        std::max(shapes.a.boundingRadius, shapes.b.boundingRadius));
@@ -101,6 +113,9 @@ bool solvePair(const ImpactStores& stores, FlyingBodies& bodies, const ImpactPai
     return true;
 }
 
+/// Leaves the contact as the solver would: its impulses can be read as forces over dt, and it is watched until its
+/// surfaces are apart. The impacts of a step begin one touch; if an older one was going on, it ends first, so that
+/// begins and ends alternate.
 void storeOutcome(const ImpactStores& stores, ContactIndex index, const ImpactOutcome& outcome, double dt,
                   double hitSpeed, TouchEvents& touches) {
     ContactRecord& contact = stores.contacts[index];

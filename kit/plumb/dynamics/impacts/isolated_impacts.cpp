@@ -16,11 +16,18 @@ namespace plumb {
 namespace {
 
 /// A pair has at most this many impacts in a step. Each leaves the share e of the speed, the restitution: after n of
-/// them, with e^n < lostSpeed, the two rest on each other.
+/// them, with e^n < lostSpeed [-], the two rest on each other. An elastic pair never comes to rest, so mostImpacts
+/// bounds it. Test: "an elastic disc meets each of two walls 64 times in a step, and waits at one if there were more"
 constexpr double lostSpeed = 1e-3, fewestImpacts = 4, mostImpacts = 64;
-/// The most predictions in a step of a group of bodies, for each of its pairs, and in addition for a small group.
+/// The most predictions in a step of a group of bodies, for each of its pairs, and in addition for a small group [-].
+/// With fewer, a dense gas would lose energy at lower speeds, because it is left to the solver; with more, its worst
+/// step would take longer. Test: "an elastic gas of 49 discs keeps its energy at 10 m/s, and has spent its predictions
+/// at 500 m/s"
 constexpr std::size_t predictionsPerPair = 32, freePredictions = 2000;
 
+/// The queue, and the pairs and bodies that its events are about. An event is void once its pair was predicted again;
+/// it is not searched for in the queue, which would cost O(n), but told by its number when it comes up. So k
+/// predictions cost O(k log k).
 class ImpactEvents {
 public:
     ImpactEvents(const ImpactStores& stores, const ImpactCandidates& candidates, double dt);
@@ -41,7 +48,8 @@ private:
         double time = 0;
         std::uint32_t pair = 0, prediction = 0;
     };
-    /// The order of a queue whose top is the earliest event.
+    /// The order of a queue whose top is the earliest event. Of two at the same time, the pair that was made first
+    /// comes first, so the result does not depend on how the queue is built.
     struct Later {
         bool operator()(const Event& a, const Event& b) const {
             return a.time != b.time ? a.time > b.time : a.pair > b.pair;
@@ -81,6 +89,7 @@ ImpactEvents::ImpactEvents(const ImpactStores& stores, const ImpactCandidates& c
       bodies_(stores, dt),
       hasPair_(stores.contacts.records.size(), false),
       reach_(stores, dt) {
+    // At most two bodies for each contact; the pairs grow by those that impacts add.
     pairs_.reserve(2 * candidates.contacts.size());
     bodies_.reserve(2 * candidates.contacts.size());
     for (const ContactIndex contact : candidates.contacts) addPair(contact);
@@ -105,12 +114,15 @@ bool ImpactEvents::isLeft(BodyIndex body) const {
     return number != none && bodies_.isLeft(number);
 }
 
+/// A sleeping body, and one that the solver moves, are obstacles: what would hit them stops before them, and waits for
+/// the next step, in which the contact is the solver's or the sleeper is awake.
 FlyingIndex ImpactEvents::find(BodyIndex body) {
     const BodyStore& bodies = stores_.bodies;
     const bool sleeps = bodies.isDynamic(body) && !bodies.record[body].awake;
     return bodies_.find(body, sleeps || candidates_.isConstrained(bodies, body));
 }
 
+/// Each contact is added once. A pair is a member of two linked lists through the array, one of each body.
 void ImpactEvents::addPair(ContactIndex contact) {
     if (hasPair_.size() <= contact) hasPair_.resize(stores_.contacts.records.size(), false);
     if (hasPair_[contact]) return;
@@ -125,7 +137,8 @@ void ImpactEvents::addPair(ContactIndex contact) {
     ++bodies_.workOf(payerOf(pair)).pairs;
 }
 
-/// Adds all pairs that a body may meet after an impact.
+/// Adds all pairs that a body may meet after an impact: the contacts that it has, and those that its new path needs,
+/// because it leaves the bounds for which contacts were searched.
 void ImpactEvents::addPairsOf(FlyingIndex number) {
     std::vector<ContactIndex> contacts;
     reach_.extend(bodies_[number], contacts);
@@ -135,6 +148,7 @@ void ImpactEvents::addPairsOf(FlyingIndex number) {
     });
 }
 
+/// Makes the pair's older events void by raising its number. Also a search that finds nothing is work.
 void ImpactEvents::predict(std::uint32_t number) {
     ImpactPair& pair = pairs_[number];
     ++pair.prediction;
@@ -152,6 +166,9 @@ void ImpactEvents::predictAll(FlyingIndex body) {
     }
 }
 
+/// One event: the pair passes through each other; or one of the two cannot take part, and the other stops before it; or
+/// their work is spent, and their group is left to the solver; or they bounce, and all pairs of both are predicted
+/// again.
 void ImpactEvents::handle(const Event& event) {
     ImpactPair& pair = pairs_[event.pair];
     const FlyingIndex a = pair.a, b = pair.b;
@@ -167,6 +184,7 @@ void ImpactEvents::handle(const Event& event) {
     }
     bodies_.unite(a, b);
     if (isSpent(pair) || !solve(pair, event.time)) {
+        // Of 20,000 pairs of spinning bodies, 7 passed each other when such pairs were left to the solver.
         const bool stay = pair.impacts > 0 && spins(pair);  // the solver might let them pass
         for (const FlyingIndex body : {a, b}) {
             if (stay && bodies_.canFly(body)) stop(body, event.time);
@@ -190,6 +208,7 @@ bool ImpactEvents::solve(ImpactPair& pair, double time) {
     return true;
 }
 
+/// Others may now meet the body where it waits, so its pairs are predicted as after an impact.
 void ImpactEvents::stop(FlyingIndex body, double time) {
     bodies_.stop(body, time);
     addPairsOf(body);
@@ -206,6 +225,7 @@ bool ImpactEvents::spins(const ImpactPair& pair) const {
     return bodies_[pair.a].isDynamic && bodies_[pair.b].isDynamic && (turns(pair.a) || turns(pair.b));
 }
 
+/// From e^n < lostSpeed: n > ln(lostSpeed) / ln(e). logarithm() has the same bits on all machines.
 bool ImpactEvents::isSpent(const ImpactPair& pair) const {
     const double e = stores_.contacts[pair.contact].restitution;
     double most = e < 1 ? fewestImpacts : mostImpacts;
@@ -217,6 +237,7 @@ bool ImpactEvents::isSpent(const ImpactPair& pair) const {
 namespace {
 
 /// Takes the contact from the solver for this step: impacts move its bodies, or nothing moved them towards each other.
+/// Its stored impulses go, because those of a bounce are no first guess for the next step.
 void takeFromSolver(ContactGraph& graph, const ImpactStores& stores, ContactIndex index) {
     graph.remove(stores.bodies, stores.contacts, index);
     stores.contacts.addNear(index);
@@ -247,6 +268,9 @@ bool gaveImpulse(const ImpactOutcome& outcome) {
 
 }  // namespace
 
+/// Called in each step after collide and before solve. Contacts that stay in the solver's slots are solved there; those
+/// of impacts that happened are taken out and get their outcome. Candidates whose bodies met nothing are taken out,
+/// too: their bodies move on their closed form, and the solver would only find that nothing presses there.
 Impacts solveIsolatedImpacts(ContactGraph& graph, const ImpactStores& stores, double dt, double hitSpeed) {
     Impacts impacts;
     endImpacts(stores.contacts);

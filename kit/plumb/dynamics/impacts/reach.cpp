@@ -12,8 +12,9 @@ namespace plumb {
 
 namespace {
 
-/// If more shapes than this lie along the rest of a flight, it is so long that no contacts are made for them. The body
-/// is still stopped at walls, by the test of whole paths that follows the impacts; other bodies it may pass.
+/// If more shapes than this are in the box around the rest of a flight, it is so long that no contacts are made for
+/// them [-]. The body is still stopped at walls, by stopFlights, which follows the impacts; other bodies it may pass.
+/// Test: "a struck ball meets another one past 190 shapes, and passes it past 210"
 constexpr std::size_t mostShapes = 200;
 
 bool isMetFirst(const std::pair<ProxyId, Vec2>& a, const std::pair<ProxyId, Vec2>& b) {
@@ -25,6 +26,9 @@ bool isMetFirst(const std::pair<ProxyId, Vec2>& a, const std::pair<ProxyId, Vec2
 
 }  // namespace
 
+/// Cheap for most impacts: a body that stays within its bounds costs one box. Two bodies that have both left their
+/// bounds do not find each other in the space, which still has their old bounds; so the new boxes are kept in leaving_,
+/// and compared one by one.
 void Reach::extend(const FlyingBody& body, std::vector<ContactIndex>& added) {
     const Space& space = stores_.space;
     for (const ProxyId proxy : stores_.bodies.links[body.body].proxies) {
@@ -62,6 +66,8 @@ Aabb Reach::sweptBoxOf(const FlyingBody& body, ProxyId proxy) const {
     return inflate(merge(boxAt(flight.from), boxAt(end)), 0.125 * pull * left * left + swing);
 }
 
+/// The contact is noted as early: the search for pairs in the next step will find the same pair, and must not add a
+/// second one.
 void Reach::meet(ProxyId own, ProxyId other, const Vec2& shift, std::vector<ContactIndex>& added) {
     const ShiftedShapes pair = inOrder(own, other, shift);
     if (!mayPair(stores_.space[own], stores_.space[other]) || !mayTouch(stores_.bodies, stores_.space, pair) ||

@@ -18,7 +18,7 @@ public:
     void extend(const FlyingBody& body, std::vector<ContactIndex>& added);
 
 private:
-    /// A shape that will leave its bounds, and the box of the rest of its way.
+    /// A shape that will leave its bounds, and the box of the rest of its path.
     struct Leaving {
         ProxyId proxy = 0;
         Aabb box;

@@ -6,6 +6,8 @@
 
 namespace plumb {
 
+/// The code for one lane is compiled here, for any machine. That for more lanes is in sources of their own, each
+/// compiled with the flags of its instruction set: only there may the compiler use these instructions.
 template struct WideLaneCollider<1>;
 template struct WideHingeSolver<1>;
 template struct WideBodySolver<1>;
@@ -55,6 +57,7 @@ const HingeSolver& hingeSolver(int lanes) {
     return codeFor<HingeSolver, WideHingeSolver>(lanes);
 }
 
+/// Islands are solved in doubles, of which half as many fit into a register.
 int islandLanes(int lanes) {
     return std::max(1, std::min(lanes, machineLanes()) / 2);
 }

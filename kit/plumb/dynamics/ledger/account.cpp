@@ -7,11 +7,15 @@
 
 namespace plumb {
 
+/// m v^2 / 2 + I w^2 / 2. A body of fixed rotation keeps its inertia in its record, but nothing turns it:
+/// inverseInertia tells.
 double kineticEnergyOf(const BodyRecord& body, const Vec2& velocity, double spin) {
     return 0.5 * body.mass * velocity.squaredNorm() +
            (body.inverseInertia > 0 ? 0.5 * body.inertia * spin * spin : 0.0);
 }
 
+/// -m s g.x, zero at the world's origin; in a world that wraps, coordinates keep counting, so it has no jump at the
+/// seam.
 double gravitationalEnergyOf(const BodyRecord& body, const Vec2& center, const Vec2& gravity) {
     return -body.mass * body.gravityScale * gravity.dot(center);
 }
@@ -28,6 +32,11 @@ void Account::note(Momentum entry, const Vec2& momentum) {
     notedMomentum_ += momentum;
 }
 
+/// Sums the whole world anew, so nothing can be forgotten: what the notes of the phase do not explain goes to the given
+/// entries. So after each call, and up to rounding,
+///   stored = stored at the last call + all notes since + the rest
+/// O(bodies + joints) for each phase, in worlds with a ledger only.
+/// Test: "each entry of the ledger is needed for it to close"
 void Account::close(const LedgerView& view, Energy energy, Momentum momentum) {
     EnergyLedger& e = ledger_.energy;
     const BodyStore& bodies = view.bodies;

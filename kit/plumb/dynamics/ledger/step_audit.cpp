@@ -29,7 +29,8 @@ void forEachLane(const ContactGraph& graph, Visit&& visit) {
 
 }  // namespace
 
-/// One contact: its impulses so far, and the velocities of its bodies.
+/// One contact: its impulses so far, and the velocities of its bodies. Two of them, before and after a half, are what
+/// noteContact compares.
 struct StepAudit::Lane {
     const ContactBatch& batch;
     std::size_t lane;
@@ -70,6 +71,8 @@ struct StepAudit::Lane {
     double rollB() const { return static_cast<double>(batch.rollInverseGyrationB[lane] * b.w); }
 };
 
+/// Free motion changes energy only by forces, damping and fields, each with its own entry: gravity only moves energy
+/// from one stored form to another. With damping, the whole change that forces do not explain is its work.
 void StepAudit::noteFlight(BodyIndex body, const BodyMotion& from, const BodyMotion& to, double time) {
     const BodyRecord& record = bodies_.record[body];
     if (record.type != BodyType::Dynamic) return;
@@ -108,12 +111,15 @@ void StepAudit::noteAccount(const FieldAccount& account) {
     account_.note(&MomentumLedger::ground, account.frictionMomentum);
 }
 
+/// noteFlight has entered the whole change under the solver's entry, as the causes were not known yet: what they
+/// explain goes from there to their own entries.
 void StepAudit::noteFieldFlight(std::uint32_t flight) {
     const FieldAccount& account = view_.fields.accounts[flight].account;
     noteAccount(account);
     account_.note(&EnergyLedger::solver, -(account.forced + account.damped + account.friction));
 }
 
+/// What none of these explains goes to the phase's own entry: for isolated impacts that is EnergyLedger::impacts.
 void StepAudit::noteImpact(double friction, double drivers, double bounce, const Vec2& ground) {
     account_.note(&EnergyLedger::friction, friction);
     account_.note(&EnergyLedger::drivers, drivers);
@@ -125,12 +131,17 @@ void StepAudit::noteGround(const Vec2& momentum) {
     account_.note(&MomentumLedger::ground, momentum);
 }
 
+/// Sums for each body of what the sub-steps do. They are entered at the end, and only for bodies that the solver moved:
+/// the others are placed by their closed form, which is entered by noteFlight.
 void StepAudit::beginSolver() {
     dampedEnergy_.assign(bodies_.record.size(), 0.0);
     dampedMomentum_.assign(bodies_.record.size(), Vec2(0, 0));
     fieldAccounts_.assign(bodies_.flights.empty() ? 0 : bodies_.record.size(), {});
 }
 
+/// Repeats what kickBodies will do, without the warm start: start_ is the velocity before the first impulse of this
+/// half, unforced_ before its forces. Damping by the closed form shortens the velocity and weakens the pull; both are
+/// its work.
 void StepAudit::beginHalf(const std::vector<BodyIndex>& solved) {
     const double half = 0.5 * bodies_.lastStep / bodies_.subSteps;
     start_ = unforced_ = bodies_.velocity;
@@ -153,6 +164,8 @@ void StepAudit::beginHalf(const std::vector<BodyIndex>& solved) {
     }
 }
 
+/// The kick is a change of velocity like any other, so its work needs the velocity at the half's end: it is entered
+/// there.
 void StepAudit::noteFieldKick(BodyIndex body, const FieldKick& kick, const Vec2& base) {
     SolverVelocity& v = start_[body];
     v.x += static_cast<float>(kick.kept.velocity.x());
@@ -169,6 +182,9 @@ void StepAudit::noteGiven(const FieldGiven& given) {
     fieldAccounts_[given.body].add(bodies_.record[given.body], given.kick, mean, given.base);
 }
 
+/// The work of one contact's impulses, by the mean of the speeds before and after the half. Along the tangent it is
+/// friction's. Along the normal it is an impact's if the bodies came fast; else it is left to the solver's entry, as
+/// the pressure of what rests. Momentum comes in only where one of the two bodies cannot be pushed.
 void StepAudit::noteContact(const Lane& before, const Lane& after, bool hits) {
     const ContactBatch& batch = after.batch;
     const double belt = batch.hasSurfaceSpeed ? static_cast<double>(batch.surfaceSpeed[after.lane]) : 0.0;
@@ -202,6 +218,7 @@ void StepAudit::noteContact(const Lane& before, const Lane& after, bool hits) {
     if (pushA != pushB) account_.note(&MomentumLedger::ground, pushB ? impulse : Vec2(-impulse));
 }
 
+/// Rows belong to one pass of the joint solver, so the few numbers that are needed at the half's end are copied.
 StepAudit::Given StepAudit::givenBy(const JointRows& rows, std::size_t row, double impulse) {
     Given given;
     given.body = rows.body;
@@ -210,6 +227,9 @@ StepAudit::Given StepAudit::givenBy(const JointRows& rows, std::size_t row, doub
     return given;
 }
 
+/// Splits a row's impulse by cause. A row that only holds does no work. A damper's part falls with the speed; a motor's
+/// part is what lies between its bounds; what is beyond these came from a limit, and is an impact. Springs need no
+/// entry: their energy is stored.
 void StepAudit::noteRows(const JointRows& rows, const Vec3& impulses, const Vec3& after, const Vec3& slopes) {
     for (std::size_t r = 0; r < rows.count; ++r) {
         const JointRow& row = rows.row[r];
@@ -223,11 +243,13 @@ void StepAudit::noteRows(const JointRows& rows, const Vec3& impulses, const Vec3
     }
 }
 
+/// Of a bounce that passes through joints: whole an impact.
 void StepAudit::noteRowImpact(const JointRows& rows, double impulse) {
     given_.push_back(givenBy(rows, 0, impulse));
     given_.back().impact = impulse;
 }
 
+/// At the half's end, when all impulses of the half have acted (see the header).
 void StepAudit::noteGiven(const Given& given) {
     double mean = 0, driven = 0;
     for (std::size_t e = 0; e < maxEnds; ++e) {
@@ -244,12 +266,14 @@ void StepAudit::noteGiven(const Given& given) {
     account_.note(&EnergyLedger::impacts, given.impact * mean);
 }
 
-/// Is it the contact of a disc that slides along a chain? The solver does not move it.
+/// Is it the contact of a disc that slides along a chain? The solver does not move it, and noteSlide enters its
+/// changes.
 bool StepAudit::isAlongChain(const ContactBatch& batch, std::size_t lane) const {
     return bodies_.isMovedBy(batch.bodyA[lane], MovedBy::Impacts) ||
            bodies_.isMovedBy(batch.bodyB[lane], MovedBy::Impacts);
 }
 
+/// Contacts, then joints, then fields: all with the same two velocities, before and after the half.
 void StepAudit::endHalf() {
     forEachLane(view_.graph, [&](const ContactBatch& batch, const ManifoldLanes& manifolds, std::size_t lane) {
         const Lane before = Lane::before(batch, lane, start_), after(batch, lane, bodies_.velocity);
@@ -264,13 +288,13 @@ void StepAudit::endHalf() {
     fieldsGiven_.clear();
 }
 
-/// Is the approach faster than what gravity gives a resting body in two steps? The approach is that at the step's
-/// start, or that before a half of a sub-step: joints and other impacts may have turned a body towards what it then
-/// hits.
+/// Is the approach faster than what gravity makes of rest in two steps? The approach is that at the step's start, or
+/// that before a half of a sub-step: joints and other impacts may have turned a body towards what it then hits.
 bool StepAudit::hits(double approach) const {
     return approach > 2 * bodies_.gravity.norm() * bodies_.lastStep + 1e-3;
 }
 
+/// As beginHalf; the totals of all points are copied, because bounce adds to them only.
 void StepAudit::beginBounces() {
     start_ = bodies_.velocity;
     totals_.clear();
@@ -290,6 +314,7 @@ void StepAudit::endBounces() {
     });
 }
 
+/// The work of a force is that along the real path, and its momentum that of the whole step.
 void StepAudit::endSolver(const std::vector<BodyIndex>& solved, double dt) {
     for (const BodyIndex body : solved) {
         const BodyRecord& record = bodies_.record[body];

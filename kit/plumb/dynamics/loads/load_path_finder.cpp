@@ -11,26 +11,37 @@ namespace plumb {
 
 namespace {
 
-// How much heavier must a body be? The more contacts count, the dearer a heap of bodies of all sizes is.
+// How much heavier must a body be? The more contacts count, the dearer a heap of bodies of all sizes is. A rest needs
+// no path up to restRatio, because springs that are compressed a little further carry it: at 15.9 times the mass, a box
+// of 1 m sinks in by 3.6 mm. A hit shows much earlier: at 1.5 times the mass, the heavier body would rebound. Tests: "a
+// box of 15.9 times the mass of the one below sinks in by 3.6 mm, of 16.1 times by 0.2 mm", "a crate that falls on a
+// loose plank stops there"
 constexpr float hitRatio = 1.5f;  ///< than one that it hits [-]
 constexpr float restRatio = 16;   ///< than one on which it rests [-]
 constexpr float passRatio = 4;    ///< than one that passes its load on, and does not count as a support [-]
-/// A hit is faster than this, as a multiple of what the bodies' accelerations give in half a step [-].
+/// A hit is faster than this, as a multiple of what the bodies' accelerations make in half a step [-]: what rests, or
+/// was put down, comes near with less.
 constexpr float hitSpeed = 4;
 
-/// Bodies that touch each other, directly or through others, are a crowd if loads start at so many of their contacts.
-/// Each path costs as much as dozens of contacts, and in a heap of all sizes there are hundreds.
+/// Bodies that touch each other, directly or through others, are a crowd if loads start at so many of their contacts
+/// [-]. Each path costs as much as dozens of contacts, and in a heap of all sizes there are hundreds: they took ten
+/// times as long as the rest of the step. Test: "a slab a hundred times as heavy as a box stands on eleven boxes, and
+/// sinks into twelve by 2 mm"
 constexpr std::uint32_t crowd = 12;
 
-/// Points whose surfaces are nearer than this bear load, even if they have not yet done so [m].
+/// Points whose surfaces are nearer than this carry load, even if they have not yet done so [m]: a support a fraction
+/// of a millimetre off may take its share within the step.
 constexpr float nearBy = 1e-3f;
-/// A point holds against a load if the cosine of the angle between them is at least this [-].
+/// A point holds against a load if the cosine of the angle between them is at least this [-]: up to 73 degrees. Shares
+/// of points further aside would be more than three times the load itself.
 constexpr float mostAside = 0.3f;
 /// If a light body keeps more than this share of a load, it is a lever, and what presses on it elsewhere helps [-].
 constexpr float mostLeft = 0.05f;
-/// A path is of no use if its bodies respond to the load with more than this share of the two bodies' own response [-].
+/// A path is of no use if its bodies respond to the load with more than this share of the two bodies' own response [-]:
+/// then little holds the light body, and a pass over its single contact does as well.
 constexpr float mostResponse = 0.5f;
-/// A load that moves the heavy body by less than this share of what it would do there alone is none [-].
+/// A load that moves the heavy body by less than this share of what it would do there alone is none [-]: shares that
+/// press the heavy body from both sides cancel, and the path's impulse would be divided by almost nothing.
 constexpr float leastResponse = 0.1f;
 constexpr float leastShare = 1e-4f;                   ///< smaller shares are left out, and not made exact [-]
 constexpr int mostSweeps = 60;                        ///< at most, to find the shares
@@ -41,6 +52,7 @@ bool has(const std::vector<T>& some, T one) {
     return std::find(some.begin(), some.end(), one) != some.end();
 }
 
+/// The inverse mass of the lightest body of a path [1/kg].
 float lightestOf(const LoadPath& path, const BodyStore& bodies) {
     float most = 0;
     for (const LoadEffect& e : path.effects) most = std::max(most, bodies.velocity[e.body].inverseMass);
@@ -68,6 +80,10 @@ bool LoadPathFinder::isStart(const Start& start) const {
            hitSpeed * std::max(pull(start.heavy), pull(start.light));
 }
 
+/// Most worlds have no two bodies of such different masses that touch, and this must cost them little: one pass over
+/// the bodies finds the range of masses, and only if it is wide, the contacts of the fewer side are asked, as of one
+/// heavy body among thousands of light ones. Sorted by shapes, so that the order of slots, which depends on what is far
+/// away, does not matter.
 std::vector<LoadPathFinder::Start> LoadPathFinder::startsOf(std::vector<BodyIndex> solved) const {
     std::erase_if(solved, [&](BodyIndex body) { return bodies_.links[body].actingJoints > 0; });
     float least = std::numeric_limits<float>::infinity(), most = 0;
@@ -97,7 +113,8 @@ std::vector<LoadPathFinder::Start> LoadPathFinder::startsOf(std::vector<BodyInde
     return starts;
 }
 
-/// Leaves out the starts in crowds: the lanes solve their contacts as they solve all others.
+/// Leaves out the starts in crowds: the lanes solve their contacts as they solve all others. O(contacts), but only
+/// where there are so many starts at all.
 void LoadPathFinder::leaveOutCrowds(std::vector<Start>& starts, const std::vector<BodyIndex>& solved) const {
     if (starts.size() < crowd) return;
     BodyGroups touching(bodies_.record.size());
@@ -112,6 +129,8 @@ void LoadPathFinder::leaveOutCrowds(std::vector<Start>& starts, const std::vecto
     std::erase_if(starts, [&](const Start& start) { return sizes[touching.of(start.heavy)] >= crowd; });
 }
 
+/// Each point of a start has a path of its own, because the two ends of a plank may be held by different bodies.
+/// pathOf_ keeps the first path that may use a contact, so that each contact belongs to one group.
 void LoadPathFinder::findAll(const std::vector<BodyIndex>& solved) {
     std::vector<Start> starts = startsOf(solved);
     leaveOutCrowds(starts, solved);
@@ -128,6 +147,8 @@ void LoadPathFinder::findAll(const std::vector<BodyIndex>& solved) {
     if (!list_.paths.empty()) group();
 }
 
+/// Within the sub-steps only points count that carry load, no longer those that are merely near. If no path is found,
+/// the old one stays.
 void LoadPathFinder::findAgain(LoadPath& path, bool isRelax) {
     onlyLoaded_ = true;
     isRelax_ = isRelax;
@@ -135,6 +156,7 @@ void LoadPathFinder::findAgain(LoadPath& path, bool isRelax) {
     if (follow(now, path.rows.front())) path = std::move(now);
 }
 
+/// Paths that share a body are solved together, until all of them are still; others do not wait for them.
 void LoadPathFinder::group() {
     BodyGroups bodies(bodies_.record.size());
     for (const LoadPath& path : list_.paths)
@@ -166,7 +188,9 @@ std::uint32_t LoadPathFinder::placeOf(ContactIndex contact) {
     return at->second;
 }
 
-/// Fills a path. Returns false if there is no such point, or if little holds the light body.
+/// Fills a path, body by body from the one that the load enters, breadth first; at most mostBodies pass it on. Returns
+/// false if there is no such point, or if little holds the light body. The springs of all its points become as firm as
+/// the whole path needs: their compliance falls from that for the light body's mass to that for the path's.
 bool LoadPathFinder::follow(LoadPath& path, const LoadRow& load) {
     const LoadedContact contact = list_.contacts[load.contact];
     if (!(contact.batch->points[load.point].normalMass[contact.lane] > 0)) return false;
@@ -187,7 +211,8 @@ bool LoadPathFinder::follow(LoadPath& path, const LoadRow& load) {
     return true;
 }
 
-/// Lets the supports of a body take over its load.
+/// Lets the supports of a body take over its load. First as if only what is opposed to the load held it; if it then
+/// keeps too much, as a plank that is loaded beyond its post, all that presses on it counts.
 void LoadPathFinder::passOn(LoadPath& path, BodyIndex body) {
     passed_.push_back(body);
     LoadEffect load;
@@ -216,6 +241,8 @@ void LoadPathFinder::add(LoadPath& path, const LoadRow& row) const {
     }
 }
 
+/// The direction of a row for one of its bodies, (n, arm): the spin's part is over the radius of gyration, as anchors
+/// are, so the three components have one unit, and one inverse mass serves all of them.
 LoadEffect LoadPathFinder::effectOn(BodyIndex body, const LoadRow& row) const {
     const LoadedContact& contact = list_.contacts[row.contact];
     const ContactBatch& batch = *contact.batch;
@@ -225,6 +252,7 @@ LoadEffect LoadPathFinder::effectOn(BodyIndex body, const LoadRow& row) const {
     return {body, batch.normalX[lane], batch.normalY[lane], -p.anchorTangentB[lane]};
 }
 
+/// A body nearly as heavy as the load stops it by its own mass; joints have a solution of their own.
 bool LoadPathFinder::passesOn(const LoadPath& path, BodyIndex body) const {
     const float heavy = bodies_.velocity[path.heavy].inverseMass;
     return bodies_.velocity[body].inverseMass >= passRatio * heavy && bodies_.isDynamic(body) &&
@@ -255,7 +283,7 @@ void LoadPathFinder::findSupports(const LoadPath& path, BodyIndex body, const Lo
     });
 }
 
-/// Does a point bear load, or will it as soon as its surfaces are nearer by this gap [m]?
+/// Does a point carry load, or will it as soon as its surfaces are nearer by this gap [m]?
 bool LoadPathFinder::carriesLoad(const LoadedContact& contact, std::uint32_t point, float gap) const {
     const PointLanes& p = contact.batch->points[point];
     if (!(p.normalMass[contact.lane] > 0)) return false;
@@ -264,8 +292,9 @@ bool LoadPathFinder::carriesLoad(const LoadedContact& contact, std::uint32_t poi
     return given + p.normalImpulse[contact.lane] > 0;
 }
 
-/// Finds the shares with which the supports keep the body at rest, as well as they can: they only push. Returns what
-/// the body keeps.
+/// Finds the shares with which the supports keep the body at rest, as well as they can: they only push. It is a
+/// non-negative least-squares problem, min |load + sum share effect|^2 with share >= 0, solved by projected
+/// Gauss-Seidel. Returns what the body keeps, as a share of the load [-].
 float LoadPathFinder::shareOut(LoadEffect kept) {
     for (int sweep = 0; sweep < mostSweeps; ++sweep) {
         float most = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Through which contacts does a light body pass on what a heavy one gives to it?
+// Through which contacts does a light body pass on the load of a heavy one?
 //
 // A path begins at a point where a heavy body meets a lighter one. The points that hold the light body from the other
 // side take shares of the load, so that the body stays at rest, as well as it can. If they belong to a light body
@@ -22,7 +22,7 @@ struct LoadedContact {
     ContactImpulses start{};  ///< before this half
 };
 
-/// A point of a contact, which carriesLoad a share of a load.
+/// A point of a contact, which carries a share of a load.
 struct LoadRow {
     std::uint32_t contact = 0;  ///< its place in LoadPathList.contacts
     std::uint32_t point = 0;    ///< of the contact: 0 or 1
@@ -31,7 +31,8 @@ struct LoadRow {
     bool isSamePoint(const LoadRow& o) const { return contact == o.contact && point == o.point; }
 };
 
-/// What a unit of load gives to a body: the changes of x, y and w of SolverVelocity, times the body's mass.
+/// How a unit of load changes the velocity of a body: the changes of x, y and w of SolverVelocity, times the body's
+/// mass.
 struct LoadEffect {
     BodyIndex body = noBody;
     float x = 0, y = 0, w = 0;
@@ -72,8 +73,8 @@ public:
 
     /// Finds all paths of this step. solved: the bodies that the solver moves.
     void findAll(const std::vector<BodyIndex>& solved);
-    /// Finds a path anew, only through points that bear load at present. isRelax: they still bear what they had given
-    /// before this half.
+    /// Finds a path anew, only through points that carry load at present. isRelax: the impulses before this
+    /// half still count.
     void findAgain(LoadPath& path, bool isRelax);
 
 private:
@@ -112,7 +113,7 @@ private:
     bool onlyLoaded_ = false, isRelax_ = false;
 
     // Of the path that is followed:
-    std::vector<BodyIndex> loaded_, passed_;  ///< bodies that bear the load; those that need not do so any more
+    std::vector<BodyIndex> loaded_, passed_;  ///< bodies that carry the load; those that need not do so any more
     std::vector<std::uint32_t> seen_;         ///< contacts of the loaded bodies, as places in the list
     std::vector<Support> supports_;           ///< of a loaded body
 };

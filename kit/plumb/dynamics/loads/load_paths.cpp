@@ -16,9 +16,10 @@ constexpr float stillPoint = 1e-4f;  ///< at a point [m/s]
 // or after as many passes as a quarter of the ratio of masses, between these bounds:
 constexpr float fewPasses = 4, manyPasses = 32;
 
-/// Times that a path is corrected: each time but the last, it may have got stuck at a point that bears nothing.
+/// Times that a path is corrected [-]: each time but the last, it may have got stuck at a point without load.
 constexpr int tries = 3;
 
+/// The one nearer to zero; 0 if they have different signs.
 float lesser(float a, float b) {
     if (!(a * b > 0)) return 0;
     return std::fabs(a) < std::fabs(b) ? a : b;
@@ -39,7 +40,8 @@ void LoadPaths::begin() {
         for (const std::uint32_t contact : group.contacts) hide(contact);
 }
 
-/// With zero masses, and apart, a contact changes nothing.
+/// With zero masses, and apart, a contact changes nothing. It stays in its slot, so the lanes need no test of their
+/// own, and its place in the order of colours does not change.
 void LoadPaths::hide(std::size_t contact) {
     const LoadedContact& c = list_.contacts[contact];
     Hidden& hidden = hidden_[contact];
@@ -52,7 +54,8 @@ void LoadPaths::hide(std::size_t contact) {
     hidden.rollMass = std::exchange(c.batch->rollMass[c.lane], 0.0f);
 }
 
-/// ContactSolver::relax has computed new separations.
+/// ContactSolver::relax has computed new separations, in hidden lanes too; solve uses the stored ones, so they come
+/// back.
 void LoadPaths::show(std::size_t contact, bool isRelax) {
     const LoadedContact& c = list_.contacts[contact];
     const Hidden& hidden = hidden_[contact];
@@ -107,13 +110,14 @@ const ContactPass& LoadPaths::passOf(const LoadedContact& contact) const {
     return contact.isGround ? groundPass_ : pass_;
 }
 
-/// The compliance of a contact's spring, times the contact's effective mass [-].
+/// The compliance of a contact's spring, times the contact's effective mass [-]. From massScale = 1 / (1 + c) and
+/// impulseScale = c / (1 + c), see Softness: c = impulseScale / massScale.
 float LoadPaths::complianceOf(const LoadedContact& contact) const {
     const Softness& soft = passOf(contact).soft;
     return contact.compliance * soft.impulseScale / std::max(soft.massScale, 1e-6f);
 }
 
-/// With a spring as firm as the load on it needs.
+/// With a spring as firm as the load on it needs: the same two scales, from the smaller compliance.
 ContactPass LoadPaths::firmPassOf(const LoadedContact& contact) const {
     ContactPass pass = passOf(contact);
     const float compliance = complianceOf(contact);
@@ -122,8 +126,8 @@ ContactPass LoadPaths::firmPassOf(const LoadedContact& contact) const {
     return pass;
 }
 
-/// Corrects the sum of a path's errors. If that is stopped by a point that bears nothing any more, the load needs
-/// another path. Returns true if that changed little.
+/// Corrects the sum of a path's errors. The first point that would have to pull stops the change (Change::least): it
+/// carries nothing any more, and the load needs another path. Returns true if that changed little.
 bool LoadPaths::correct(LoadPath& path, bool isRelax) {
     bool isStill = true;
     for (int i = 0; i < tries; ++i) {
@@ -138,6 +142,8 @@ bool LoadPaths::correct(LoadPath& path, bool isRelax) {
     return isStill;
 }
 
+/// The formula of the header. As in single contacts, a gap is closed within the sub-step and has no spring; an overlap
+/// has the bias speed of its spring, at most the push speed, and its compliance.
 LoadPaths::Change LoadPaths::changeToSolve(const LoadPath& path, float inverseMass) const {
     float error = speedAlong(path), compliance = 0, least = -std::numeric_limits<float>::infinity();
     for (const LoadRow& row : path.rows) {
@@ -158,6 +164,7 @@ LoadPaths::Change LoadPaths::changeToSolve(const LoadPath& path, float inverseMa
     return {-error / (inverseMass + compliance), least};
 }
 
+/// Without springs and bias, as relaxing is: only gaps may still close.
 LoadPaths::Change LoadPaths::changeToRelax(const LoadPath& path, float inverseMass) const {
     float error = speedAlong(path), least = -std::numeric_limits<float>::infinity();
     for (const LoadRow& row : path.rows) {
@@ -178,12 +185,14 @@ float LoadPaths::speedAlong(const LoadPath& path) const {
     return sum;
 }
 
-/// The impulse of a point, which it can lose at the most [N s].
+/// The impulse of a point, which it can lose at the most [N s]. While relaxing, that is the sum of both halves, so that
+/// what solve has applied to correct positions can be taken back.
 float LoadPaths::impulseAt(const LoadRow& row, bool isRelax) const {
     const LoadedContact& c = list_.contacts[row.contact];
     return (isRelax ? c.start.normal[row.point] : 0.0f) + c.batch->points[row.point].normalImpulse[c.lane];
 }
 
+/// Applies a load to all of a path at once: velocities by the effects, impulses by the shares.
 void LoadPaths::push(const LoadPath& path, float load, bool isRelax) {
     for (const LoadEffect& e : path.effects) {
         SolverVelocity& v = bodies_.velocity[e.body];
@@ -203,6 +212,8 @@ void LoadPaths::push(const LoadPath& path, float load, bool isRelax) {
     }
 }
 
+/// A heavy body that was stopped in this step needs no such impulse in the next. Of the two halves of the last
+/// sub-step, the lesser impulse is what was needed all the time, as of a weight at rest.
 void LoadPaths::end() {
     for (const LoadGroup& group : list_.groups) {
         for (const std::uint32_t contact : group.contacts) {

@@ -15,14 +15,19 @@ namespace plumb {
 
 namespace {
 
-/// DeepContact goes at this rate [1/s], and at most this share of it in a step [-].
+/// Deep overlap goes at this rate [1/s], and at most this share of it in a step [-]: so also at long steps it shrinks
+/// without a swing to the other side.
 constexpr double rate = 8, mostShare = 0.2;
-/// The farthest that a point of a body moves in a step, as a share of its inradius [-].
+/// The farthest that a point of a body moves in a step, as a share of its inradius [-]: so no shift takes it past a
+/// wall.
 constexpr double shareOfInradius = 0.25;
+/// Sweeps over the contacts [-]. Each one also lets shifts reach the next bodies, those that were pushed in it.
 constexpr int sweeps = 12;
 /// A body that goes less far than this in a step, as a share of its inradius, pushes nothing [-].
 constexpr double leastShift = 1e-3;
 
+/// Moves a body by its shift, without velocity. Its time of stillness begins anew: what is being shifted must not sleep
+/// in overlap.
 void shift(BodyStore& bodies, BodyIndex body, const SolverVelocity& by, double dt) {
     const BodyRecord& record = bodies.record[body];
     const Vec2 way = Vec2(static_cast<double>(by.x), static_cast<double>(by.y)) * dt;
@@ -37,7 +42,10 @@ void shift(BodyStore& bodies, BodyIndex body, const SolverVelocity& by, double d
     bodies.record[body].stillTime = 0;
 }
 
-/// The contacts of bodies that overlap, and of those that they push, as shifts see them.
+/// The contacts of bodies that overlap, and of those that they push, as shifts see them. The problem grows from the
+/// bodies that overlap: in each sweep, bodies that were shifted far enough begin to push, and bring their own contacts.
+/// So a pyramid at the other end of the world costs no sweep. Copies of the contacts are solved, so their impulses stay
+/// as they are.
 class Shifts {
 public:
     Shifts(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, double dt)
@@ -113,7 +121,9 @@ private:
         for (const auto& [place, index] : order) add(index);
     }
 
-    /// Without impulses and friction, with gaps, and with the overlap that is to go.
+    /// A contact without impulses and friction, with gaps, and with the overlap that is to go: its depth at the last
+    /// step's start, corrected by how far the points have moved since. Overlap that was not put there, as from loads,
+    /// counts as a touch: springs have to push it out.
     void add(ContactIndex index) {
         for (const BodyIndex body : bodiesOf(index)) touch(body);
         const ContactRecord& contact = contacts_[index];
@@ -147,6 +157,8 @@ private:
 
 }  // namespace
 
+/// The first phase of a step, before bounds are placed, because it moves bodies. Solved by the scalar contact solver:
+/// shift per second in place of velocity. O(contacts of the bodies that are shifted) for each of the sweeps.
 void pushApart(const ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies,
                const SolverSettings& settings, double dt) {
     const auto isAwake = [&](const DeepContact& overlap) { return contacts[overlap.contact].isSolved(); };

@@ -11,7 +11,7 @@ namespace plumb {
 
 namespace {
 
-/// The most sweeps over both points: enough for the impulses to converge.
+/// The most sweeps over both points: enough for the impulses to converge [-]. Sweeps end earlier when no bit changes.
 constexpr int mostSweeps = 200;
 
 ImpactSide sideOf(const ImpactBody& body, const Vec2& point) {
@@ -19,7 +19,10 @@ ImpactSide sideOf(const ImpactBody& body, const Vec2& point) {
             point - body.motion.center};
 }
 
-/// Solves two points together: each parts at the restitution times its own approach speed.
+/// Solves two points together: each parts at the restitution times its own approach speed. A box that lands flat has
+/// two equal points, and solving one after the other would set it spinning; so the impulses are summed for each point,
+/// clamped in the sum, and corrected until both conditions hold. Source: projected Gauss-Seidel, as in Catto,
+/// "Iterative dynamics with temporal coherence", GDC 2005.
 class FaceImpact {
 public:
     FaceImpact(const Vec2& normal, const ImpactLaw& law, ImpactBody& a, ImpactBody& b)
@@ -45,6 +48,7 @@ private:
         bool operator==(const Impulse&) const = default;
     };
 
+    /// First the normal, then friction within its limit; sums are clamped, so a later sweep may take impulses back.
     void solvePoint(const Vec2& point, Impulse& impulse) {
         const double change = (impulse.wanted - speedAt(point).dot(normal_)) / inverseMass(point, normal_);
         const double normal = std::max(impulse.normal + change, 0.0);
@@ -86,6 +90,8 @@ private:
 
 }  // namespace
 
+/// A disc has one point. Two faces count as parallel if their manifold has two points within the tolerance; else the
+/// nearest points of both shapes are the only ones that touch.
 std::vector<Vec2> touchingPoints(const Convex& a, const BodyMotion& motionA, const Convex& b, const BodyMotion& motionB,
                                  const Distance& where, double size) {
     const Vec2 middle = 0.5 * (where.pointA + where.pointB);
@@ -99,6 +105,7 @@ std::vector<Vec2> touchingPoints(const Convex& a, const BodyMotion& motionA, con
     return points;
 }
 
+/// One point has a closed form, which treats slip and stick exactly (impact/impact.h); two have none, and are iterated.
 std::vector<PointImpulse> solveImpact(std::span<const Vec2> points, const Vec2& normal, const ImpactLaw& law,
                                       ImpactBody& a, ImpactBody& b) {
     if (points.size() == 2) return FaceImpact(normal, law, a, b).solve(points);

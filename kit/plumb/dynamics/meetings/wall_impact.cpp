@@ -12,12 +12,14 @@ namespace plumb {
 
 namespace {
 
-/// Most times that each point of a face is solved.
+/// Most times that each point of a face is solved [-]. What still approaches after that is met again when the body
+/// moves on.
 constexpr int mostTurns = 4;
 /// A slower approach is none any more [m/s].
 constexpr double stopped = 1e-6;
 
 /// Impulses at one point of the wall.
+/// An impact at one point of the wall. The wall's own motion is not changed: it is static or kinematic.
 class WallPoint {
 public:
     WallPoint(const BodyMotion& wall, PushedBody& body, const Vec2& point, const Vec2& normal)
@@ -26,7 +28,9 @@ public:
     Vec2 velocity() const { return velocityAt(body_.motion(), point_); }
     double approach() const { return Vec2(velocityAt(wall_, point_) - velocity()).dot(normal_); }
 
-    /// Adds what it gives to the impact. False if nothing approaches or can be moved.
+    /// Adds its impulses to the impact, and their work by the mean of the speeds before and after. False if nothing
+    /// approaches or can be moved. The response of the body is that of its whole machine, so the law of impacts needs
+    /// only three numbers: how a unit impulse along each axis changes the speed along it, and how along the other one.
     bool solve(const ImpactLaw& law, WallImpact& impact) {
         const double approach = this->approach();
         const Vec2 t = perp(normal_);
@@ -64,7 +68,8 @@ private:
     Vec2 point_, normal_, arm_;
 };
 
-/// The law of a pair of shapes. What is no faster than gravity makes a resting body in a step does not bounce.
+/// The law of a pair of shapes, whether they have a contact or not. A rebound that is no faster than what gravity makes
+/// of rest in half a step is none: else what lies on a wall would hop.
 ImpactLaw lawOf(const WallView& view, const WallHit& hit, double approach) {
     ContactRecord contact;
     contact.proxyA = std::min(hit.own, hit.wall);
@@ -77,6 +82,9 @@ ImpactLaw lawOf(const WallView& view, const WallHit& hit, double approach) {
 
 }  // namespace
 
+/// Both points of a face are solved in turn, with one law for both, found from the faster one: else a box that lands
+/// flat might bounce with one corner only. The manifold belongs to the shape with the lower number, which may be the
+/// wall.
 WallImpact solveWallImpact(const WallView& view, const WallHit& hit, double duration, PushedBody& body) {
     const BodyMotion wall = motionAt(hit.wallSweep, hit.time, duration), own = body.motion();
     const bool bodyFirst = hit.own < hit.wall;
@@ -105,13 +113,15 @@ WallImpact solveWallImpact(const WallView& view, const WallHit& hit, double dura
 
 namespace {
 
+/// A body that was deflected may meet a wall for which it has no contact: then one is made.
 ContactIndex contactOf(const WallTouchStores& stores, const ShiftedShapes& pair) {
     const ContactIndex found = findContact(stores.contacts, stores.bodies, stores.space, pair);
     if (found != none) return found;
     return addEarlyContact(stores.contacts, stores.bodies, stores.space, pair);
 }
 
-/// A contact in the solver reports its events itself, from its impulses and its approach speed.
+/// A contact in the solver reports its events itself, from its impulses and its approach speed; so the impact only adds
+/// to these.
 void addToSolved(ContactGraph& graph, const ContactRecord& contact, const WallImpact& impact) {
     Colour& colour = graph.colours[contact.colour];
     const std::size_t b = contact.slot / batchLanes, lane = contact.slot % batchLanes;
@@ -122,6 +132,7 @@ void addToSolved(ContactGraph& graph, const ContactRecord& contact, const WallIm
     approach = std::max(approach, static_cast<float>(impact.approachSpeed));
 }
 
+/// Makes a near contact one of an isolated impact, with this step's impulses only. Several impacts in a step add up.
 void addToOther(ContactStore& contacts, ContactIndex index, const WallImpact& impact, double dt) {
     ContactRecord& contact = contacts[index];
     if (contact.state != ContactState::Impact) {

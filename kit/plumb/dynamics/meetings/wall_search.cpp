@@ -15,19 +15,20 @@ namespace plumb {
 
 namespace {
 
-/// A body may be this deep in a wall, as a share of its inradius [-], and at most this deep [m]: the solver pushes it
-/// out.
+/// A body may be this deep in a wall, as a share of its inradius [-], and at most deepest [m]: up to there, springs of
+/// contacts push it out. Deeper, the nearest way out might be on the other side.
 constexpr double deepShare = 0.25;
 constexpr double deepest = 0.02;
-/// A body is stopped at this distance from the wall [m].
+/// A body is stopped at this distance from the wall [m]: several times the tolerance of the search, so that it does not
+/// begin its next move in overlap.
 constexpr double skin = 1e-4;
-/// A point of a face is there if it is this near to the wall [m].
+/// A point of a face is there if it is this near to the wall [m]: a few times skin, at which the body was stopped.
 constexpr float faceMargin = 3e-4f;
 /// A slower approach is none [m/s].
 constexpr double noApproach = 1e-6;
-/// So few kinematic bodies are looked at one by one.
+/// So few kinematic bodies are looked at one by one [-]: a query of the space, which has all shapes, would take longer.
 constexpr std::size_t fewKinematic = 8;
-/// Most depths at which a crossing is looked at.
+/// Most depths at which a crossing is looked at [-]; each is a search for a time.
 constexpr int mostDepths = 6;
 /// Smaller distances make no difference; the search has about this tolerance [m].
 constexpr double noticeable = 2e-5;
@@ -36,6 +37,8 @@ constexpr double mostPeriods = 64;
 
 /// The times at which a shape that goes through a wall, or too deep into it, comes to certain depths: one after the
 /// other, as long as it does. The first is where it touches, if it was apart; then where it is too deep, and deeper.
+/// Several are needed, because a touch may be one that parts or slides along, which is not to be stopped, and the body
+/// may then go in deeper. A body that moved by less than its inradius, and is not too deep, costs one distance.
 class Crossing {
 public:
     /// travel: how far the moving shape's outline moves relative to the wall, at most [m].
@@ -92,6 +95,11 @@ struct Passage {
     }
 };
 
+/// The body's motion in the frame of a wall that moves and turns. A path is off its chord by at most T^2 / 8 times the
+/// largest second derivative; in a turning frame that is 2 spin v (Coriolis) and spin^2 r (centripetal), so
+/// bend = spin (2 |shift| + spin r) / 8
+/// spin turn of the wall in the sweep [rad], shift of the body relative to the wall, r its larger distance from the
+/// wall's centre at both ends [m]
 Passage passageOf(const WallSweep& wall, const Sweep& sweep) {
     const Vec2 before = sweep.start - wall.sweep.start;
     const Vec2 after = before + (sweep.shift - wall.sweep.shift);
@@ -120,6 +128,7 @@ double travelTowards(const WallSweep& wall, const Sweep& sweep, const Shape& fac
     return near ? passage.travel(body) : 0;
 }
 
+/// In a world that wraps, only the space knows the images that are near.
 void forEachKinematicNear(const WallView& view, const Aabb& box, Space::Visit visit) {
     const BodyStore& bodies = view.bodies;
     if (bodies.kinematic.size() <= fewKinematic && !bodies.wrap.any()) {
@@ -133,6 +142,8 @@ void forEachKinematicNear(const WallView& view, const Aabb& box, Space::Visit vi
     });
 }
 
+/// One query of the box around the path; of walls that are met, the first one counts. The space keeps fixed shapes
+/// apart, so a crowd of loose bodies costs nothing here.
 void WallSearch::searchStatic() {
     if (view_.bodies.wrap.isExceededBy(sweep_.shift))
         return meetAlongPeriods([](const Proxy& other) { return other.fixed; });
@@ -146,6 +157,8 @@ void WallSearch::searchKinematic() {
     meetNear([this](const Aabb& box, Space::Visit visit) { forEachKinematicNear(view_, box, visit); });
 }
 
+/// The tests in the order of their cost: rules that let pass; the bounds of travel; the search for the time. A time
+/// that is not before the first one so far ends the search: later depths come even later.
 void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPart& part) {
     const bool ruled = hasRule(view_.space[own].def) || hasRule(view_.space[other].def);
     const Verdict verdict = ruled ? verdictOn(own, other, shift) : Verdict::Solid;
@@ -169,6 +182,7 @@ void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPa
     }
 }
 
+/// A contact of the pair has the verdict of this touch already, which must not change while the shape passes.
 Verdict WallSearch::verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const {
     const ContactIndex contact = findContact(view_.contacts, view_.bodies, view_.space, {{own, other}, shift});
     return contact == none ? Verdict::Open : view_.contacts[contact].verdict;
@@ -204,7 +218,8 @@ bool WallSearch::approaches(const WallHit& hit) const {
     return false;
 }
 
-/// Evaluates the rules where a shape meets the wall, for a pair without a verdict.
+/// Evaluates the rules where a shape meets the wall, for a pair without a verdict: which face is met, and how fast, is
+/// known only there.
 bool WallSearch::isSolidAt(double time, const SweptShape& wall, const SweptShape& swept, ProxyId own,
                            ProxyId other) const {
     const Distance met = distance(*wall.shape, poseAt(wall.sweep, time), *swept.shape, poseAt(swept.sweep, time));
@@ -243,7 +258,8 @@ RayPart WallSearch::partNear(ProxyId other, const Vec2& shift) const {
 }
 
 /// The search for a sweep that is longer than a period of a world that wraps: shapes are checked in the order along the
-/// path, through at most 64 periods.
+/// path, through at most 64 periods. A box around such a path would hold every image of every shape. Test: "a body is
+/// stopped by a wall that it meets in its 63rd round in a sub-step, and not in its 66th"
 void WallSearch::meetAlongPeriods(FunctionRef<bool(const Proxy&)> wanted) {
     const Wrap& wrap = view_.bodies.wrap;
     double part = 1;

@@ -5,6 +5,7 @@
 
 namespace plumb {
 
+/// First the space, nearest first, then the shapes that have left their bounds there, of which there are few.
 void ShapeQuery::visitAlong(const Vec2& halfSize, const Vec2& from, const Vec2& to, Space::VisitWhile visit) const {
     double wanted = 1;
     const auto look = [&](ProxyId id, const Vec2& shift) {
@@ -26,6 +27,7 @@ void ShapeQuery::visitNear(const Vec2& point, double within, Space::VisitWhile v
         return within;
     };
     world_.space.findNear(point, within, look);
+    // In a world that wraps, the nearest image of a shape is within one period.
     constexpr double endless = std::numeric_limits<double>::infinity();
     const Wrap& wrap = world_.bodies.wrap;
     const Vec2 reach(wrap.width.value_or(endless), wrap.height.value_or(endless));

@@ -33,6 +33,8 @@ Vec2 ontoSurface(const Proxy& piece, const Vec2& point) {
     return stretch->start + share * along;
 }
 
+/// The index of a cell along one axis, kept within those that the piece covers: a point at a piece's end belongs to its
+/// last cell, and rounding must not name the one behind it.
 int cellIn(double value, double lower, double upper, double size) {
     const auto index = [size](double x) { return static_cast<int>(std::floor(x / size)); };
     const int first = index(lower + inward * size), last = index(upper - inward * size);
@@ -41,6 +43,8 @@ int cellIn(double value, double lower, double upper, double size) {
 
 }  // namespace
 
+/// A point on an outline lies between two cells, the filled one and the empty one before it. It is moved a little
+/// inward, against the outward direction, so that it names the filled one.
 std::optional<Cell> tileMet(const TileStore& tiles, const BodyStore& bodies, const Space& space, ProxyId piece,
                             const Vec2& point, const Vec2& normal) {
     const Proxy& proxy = space[piece];

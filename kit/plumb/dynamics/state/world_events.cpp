@@ -21,6 +21,7 @@ ContactHit hitOf(const ContactBegin& begin) {
 
 }  // namespace
 
+/// Ends that edits have added since the last step belong to the next report, so only those that were reported go.
 void WorldEvents::clear() {
     begins.clear();
     breaks.clear();

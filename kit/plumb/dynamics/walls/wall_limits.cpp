@@ -10,7 +10,9 @@ namespace plumb {
 
 namespace {
 
-/// Walls are looked for as far as a body comes at this many times its speed.
+/// Walls are looked for as far as a body comes at this many times its speed [-]. A body that is pushed in the step may
+/// gain speed; up to this factor, its limit stays true, and its path need not be searched in each sub-step. With more,
+/// a larger box meets walls more often, and fewer limits can be raised.
 constexpr double spareRoom = 2;
 
 class WallLimits {
@@ -18,6 +20,8 @@ public:
     WallLimits(BodyStore& bodies, const ContactStore& contacts, const Space& space, double dt)
         : bodies_(bodies), view_{bodies, contacts, space}, dt_(dt) {}
 
+    /// One query of the space for each fast body, once a step, in place of a search in each sub-step. Bodies without
+    /// contacts need none: mayPass leaves them out. Not in a world that wraps.
     void raise() {
         if (bodies_.wrap.any()) return;
         for (const BodyIndex body : bodies_.awake) {
@@ -29,6 +33,9 @@ public:
         }
     }
 
+    /// What matters is the motion relative to a wall, so a wall that moves takes its part of the distance that a body
+    /// may move unseen. Only contacts are asked: bounds hold the predicted paths of both, so what a wall may reach has
+    /// one.
     void lowerBesideMoving() {
         for (const BodyIndex wall : bodies_.kinematic) {
             if (isAtRest(wall)) continue;
@@ -54,7 +61,8 @@ private:
         return motion.velocity.isZero(0) && motion.angularVelocity == 0;
     }
 
-    /// An upper bound on how far a moving wall moves by the outline of a body that is at rest, in the step [m].
+    /// An upper bound on how far a moving wall moves by the outline of a body that is at rest, in the step [m]. The
+    /// wall's motion is taken at the body's centre; seen from the wall, the body turns the other way round by as much.
     double wallTravel(BodyIndex wall, BodyIndex body, const ContactRecord& contact) const {
         const Vec2 image = contact.bodyA == wall ? Vec2(-contact.shift) : contact.shift;
         const BodyMotion there = shifted(bodies_.motion[wall], image);
@@ -62,6 +70,8 @@ private:
         return travelOf(shift, there.angularVelocity * dt_, bodies_.record[body]);
     }
 
+    /// The body may move by farShare of its inradius less the wall's travel: its limit of speed falls in proportion,
+    /// and the limit is squared. If nothing is left, the limit is -1, and the body is always searched.
     void lower(BodyIndex body, double travel) {
         const BodyRecord& record = bodies_.record[body];
         const double left = std::max(1 - travel / (farShare * record.inradius), 0.0);

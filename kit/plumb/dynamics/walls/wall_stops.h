@@ -5,7 +5,7 @@
 // differs from the prediction because they were deflected, pushed or spun. After each sub-step the paths of fast bodies
 // are searched for walls that they have crossed, or have gone so deep into that the way out is on the wrong side. What
 // crosses one is moved back to where it met the wall, the impact is solved there, and it moves on for the rest of the
-// sub-step. A body that joints connect to others is moved back with all of them, and they all answer to the impulse.
+// sub-step. A body that joints connect to others is moved back with all of them, and they all respond to the impulse.
 // Where joints open, because links turn far, the bodies move in pieces of the sub-step that are short enough for the
 // joints.
 // Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, ch. 2.
