@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Machines of so many loops that they are swept, joint by joint: see joints.md.
+// Machines whose direct solution would take too much work are swept, joint by joint: see joints.md.
 #include <algorithm>
 #include <cmath>
 #include <vector>

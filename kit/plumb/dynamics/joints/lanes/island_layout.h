@@ -24,7 +24,7 @@ struct IslandLayout : IslandShape {
     bool someAlong = false;    ///< some link turns along (see IslandShape::Link)
     bool someMissing = false;  ///< some axis depends on velocities
     bool isTree = false;       ///< no loops, and all bodies can turn: its rows are independent
-    bool isSwept = false;      ///< it has so many loops that it must be swept, and there is no more to tell
+    bool isSwept = false;      ///< to solve it at once would take too much work; there is no more to tell
 
     std::uint32_t jointCount() const { return static_cast<std::uint32_t>(joints.size() - 1); }
     std::size_t bytes() const {
