@@ -13,10 +13,20 @@ inline constexpr int shareOfCases = 100;
 inline constexpr int shareOfCases = 10;
 #endif
 
-/// All of them when the environment has PLUMB_FULL set to 1, else a tenth, and a hundredth under sanitizers.
-inline int cases(int all) {
+/// Has the environment PLUMB_FULL set to 1? `PLUMB_FULL=1 ./tests/run "[dynamics]"` goes through all cases.
+inline bool isFull() {
     const char* full = std::getenv("PLUMB_FULL");
-    return full && *full == '1' ? all : std::max(1, all / shareOfCases);
+    return full && *full == '1';
+}
+
+/// All of them when all are wanted, else a tenth, and a hundredth under sanitizers.
+inline int cases(int all) {
+    return isFull() ? all : std::max(1, all / shareOfCases);
+}
+
+/// Of a test that takes seconds for each: so many every day that each kind of case is among them.
+inline int seeds(int everyDay, int full) {
+    return isFull() ? full : everyDay;
 }
 
 /// Of a property that runs through all of them always: a tenth under sanitizers.

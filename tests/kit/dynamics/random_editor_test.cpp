@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kit/dynamics/random_editor.h"
 
-#include "seeds.h"
+#include "cases.h"
 
 namespace {
 
