@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/edit/body_shapes.h>
 #include <plumb/dynamics/edit/shape_pieces.h>
 #include <plumb/dynamics/edit/validate.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
+#include <plumb/space/detail/shape_radii.h>
 
 namespace plumb {
 

@@ -8,12 +8,12 @@
 #include <plumb/collide/distance.h>
 #include <plumb/collide/manifold.h>
 #include <plumb/dynamics/bodies/body_store.h>
-#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/contacts/contact_store.h>
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 #include <plumb/dynamics/contacts/lanes/lane_collider.h>
 #include <plumb/dynamics/contacts/predicted_manifold.h>
 #include <plumb/math/random.h>
+#include <plumb/space/detail/shape_radii.h>
 
 #include "catch.h"
 #include "lanes_compare.h"

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include <plumb/collide/detail/outline.h>
-#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/shapes/chain.h>
+#include <plumb/space/detail/shape_radii.h>
 
 namespace plumb {
 

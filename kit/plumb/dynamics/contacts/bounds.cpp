@@ -8,7 +8,7 @@
 
 #include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/dynamics/bodies/load_bodies.h>
-#include <plumb/dynamics/bodies/shape_radii.h>
+#include <plumb/space/detail/shape_radii.h>
 
 namespace plumb {
 

@@ -11,8 +11,8 @@
 #include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/collide/manifold.h>
 #include <plumb/dynamics/bodies/body_store.h>
-#include <plumb/dynamics/contacts/box_outline.h>
 #include <plumb/dynamics/contacts/contact_batch.h>
+#include <plumb/space/detail/box_outline.h>
 
 namespace plumb {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/edit/edits.h>
 #include <plumb/dynamics/sensors/sensors.h>
 #include <plumb/shapes/aabb.h>
 #include <plumb/shapes/tile_pieces.h>
+#include <plumb/space/detail/shape_radii.h>
 
 namespace plumb {
 

@@ -2,11 +2,11 @@
 // Which bodies may be added, and what is their mass?
 #include <type_traits>
 
-#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/describe.h>
 #include <plumb/dynamics/edit/validate.h>
 #include <plumb/math/check.h>
 #include <plumb/math/require_members.h>
+#include <plumb/space/detail/shape_radii.h>
 
 namespace plumb {
 

@@ -9,7 +9,7 @@
 
 #include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/dynamics/impacts/chain_path.h>
+#include <plumb/space/detail/chain_path.h>
 
 namespace plumb {
 

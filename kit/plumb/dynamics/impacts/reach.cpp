@@ -5,8 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/contacts/pairs.h>
+#include <plumb/space/detail/shape_radii.h>
 
 namespace plumb {
 

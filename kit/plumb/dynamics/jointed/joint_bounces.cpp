@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include <plumb/dynamics/bodies/body_groups.h>
 #include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/joints/joint_response.h>
 #include <plumb/dynamics/joints/joint_rows.h>
+#include <plumb/math/detail/disjoint_sets.h>
 
 namespace plumb {
 
@@ -197,7 +197,7 @@ public:
 
 private:
     const BodyStore& bodies_;
-    BodyGroups connected_;
+    DisjointSets connected_;
     std::vector<std::pair<BodyIndex, ContactIndex>> found_;
 };
 

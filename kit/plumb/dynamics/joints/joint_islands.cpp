@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include <plumb/dynamics/bodies/body_groups.h>
+#include <plumb/math/detail/disjoint_sets.h>
 
 namespace plumb {
 
@@ -108,7 +108,7 @@ void groupAlike(JointIslands& found) {
 /// Islands with only their joints. Bodies that impulses do not move connect nothing: two pendulums on one wall are two
 /// islands.
 std::vector<JointIsland> islandsOf(const JointStore& joints, const BodyStore& bodies) {
-    BodyGroups groups(bodies.record.size());
+    DisjointSets groups(bodies.record.size());
     std::vector<JointIndex> awake;
     for (JointIndex index = 0; index < joints.records.size(); ++index) {
         if (!joints[index].acts() || !holdsSomething(joints, bodies, index)) continue;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <plumb/dynamics/bodies/body_groups.h>
+#include <plumb/math/detail/disjoint_sets.h>
 
 namespace plumb {
 
@@ -117,7 +117,7 @@ std::vector<LoadPathFinder::Start> LoadPathFinder::startsOf(std::vector<BodyInde
 /// where there are so many starts at all.
 void LoadPathFinder::leaveOutCrowds(std::vector<Start>& starts, const std::vector<BodyIndex>& solved) const {
     if (starts.size() < crowd) return;
-    BodyGroups touching(bodies_.record.size());
+    DisjointSets touching(bodies_.record.size());
     for (const BodyIndex body : solved)
         forEachContact(bodies_, contacts_, body, [&](ContactIndex index) {
             const BodyIndex other = otherOf(contacts_[index], body);
@@ -158,7 +158,7 @@ void LoadPathFinder::findAgain(LoadPath& path, bool isRelax) {
 
 /// Paths that share a body are solved together, until all of them are still; others do not wait for them.
 void LoadPathFinder::group() {
-    BodyGroups bodies(bodies_.record.size());
+    DisjointSets bodies(bodies_.record.size());
     for (const LoadPath& path : list_.paths)
         for (const LoadEffect& e : path.effects) bodies.unite(path.heavy, e.body);
     std::unordered_map<BodyIndex, std::size_t> groupOf;

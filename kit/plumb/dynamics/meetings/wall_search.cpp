@@ -6,10 +6,10 @@
 #include <utility>
 
 #include <plumb/collide/distance.h>
-#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/contacts/contact_rules.h>
 #include <plumb/dynamics/contacts/pairs.h>
 #include <plumb/dynamics/contacts/predicted_manifold.h>
+#include <plumb/space/detail/shape_radii.h>
 
 namespace plumb {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <numeric>
 
-#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/math/trig.h>
+#include <plumb/space/detail/shape_radii.h>
 
 namespace plumb {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <plumb/collide/lanes/pair_lanes.h>
-#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/contacts/bounds.h>
+#include <plumb/space/detail/shape_radii.h>
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <plumb/dynamics/bodies/body_groups.h>
+#include <plumb/math/detail/disjoint_sets.h>
 
 namespace plumb {
 
@@ -16,7 +16,7 @@ constexpr std::size_t fewUpdates = 4000;
 
 /// All bodies that impulses do not move count as one.
 bool isTree(std::uint32_t moved, const std::vector<LaidJoint>& joints) {
-    BodyGroups groups(moved + 1);
+    DisjointSets groups(moved + 1);
     for (const LaidJoint& joint : joints)
         for (std::size_t k = 0; k < joint.form.links; ++k) {
             const BodyIndex a = std::min(joint.link[k].a, moved), b = std::min(joint.link[k].b, moved);

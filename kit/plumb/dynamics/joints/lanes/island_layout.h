@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <plumb/dynamics/joints/joint_form.h>
-#include <plumb/dynamics/joints/lanes/block_plan.h>
+#include <plumb/math/detail/block_plan.h>
 
 namespace plumb {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/bodies/shape_radii.h>
+#include <plumb/space/detail/shape_radii.h>
 
 #include <algorithm>
 #include <limits>

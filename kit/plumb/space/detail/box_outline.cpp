@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/contacts/box_outline.h>
+#include <plumb/space/detail/box_outline.h>
 
 #include <plumb/shapes/aabb.h>
 

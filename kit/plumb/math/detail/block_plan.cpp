@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/joints/lanes/block_plan.h>
+#include <plumb/math/detail/block_plan.h>
 
 #include <map>
 #include <set>

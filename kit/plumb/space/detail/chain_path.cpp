@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/impacts/chain_path.h>
+#include <plumb/space/detail/chain_path.h>
 
 #include <algorithm>
 #include <cmath>
