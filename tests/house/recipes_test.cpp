@@ -7,6 +7,9 @@
 #include <regex>
 #include <set>
 
+#include <compare/lab/builtin.h>
+#include <compare/scene/builtin.h>
+
 #include "catch.h"
 #include "games/walk_through.h"
 #include "house/arrows.h"
@@ -99,6 +102,16 @@ void addNewGame(const Checkout& checkout) {
     std::ofstream(checkout.folder / "games/list.txt", std::ios::app) << page.line << '\n';
 }
 
+/// Without a command every scene and lab is run, and the report written where it is called.
+void requireAllPass(const Checkout& checkout, const std::string& output) {
+    for (const plumb::compare::Scene& scene : plumb::compare::builtinScenes())
+        REQUIRE_THAT(output, containsText("PASS  " + scene.name));
+    for (const plumb::compare::Lab& lab : plumb::compare::builtinLabs())
+        REQUIRE_THAT(output, containsText("PASS  " + lab.name + "\n"));
+    REQUIRE_THAT(output, containsText("box2d-2.4 2.4."));
+    REQUIRE(fs::exists(checkout.folder / "build/report/index.html"));
+}
+
 void follow(const Checkout& checkout, const Recipe& recipe) {
     INFO(recipe.page << ": " << recipe.command);
     const std::string& command = recipe.command;
@@ -113,7 +126,7 @@ void follow(const Checkout& checkout, const Recipe& recipe) {
     REQUIRE(ran.ok);
     if (command.find("games/run") != std::string::npos && command.find("--headless") != std::string::npos)
         requireJson(ran.output);
-    if (command == "./compare/run") REQUIRE(fs::exists(checkout.folder / "build/report/index.html"));
+    if (command == "./compare/run") requireAllPass(checkout, ran.output);
 }
 
 /// The block ```cmake of the README that uses an installation.

@@ -285,21 +285,6 @@ TEST_CASE("check writes a CSV a scene and the report", "[compare][command]") {
     CHECK(called.out.find("index.html") != std::string::npos);
 }
 
-TEST_CASE("without a command every scene is run, and the report written where it is called",
-          "[compare][command][slow]") {
-    const Folder folder("plumb_command_test");
-    const fs::path before = fs::current_path();
-    fs::current_path(folder.path);
-    const Called called = call({});
-    fs::current_path(before);
-    INFO(called.out << called.err);
-    CHECK(called.status == 0);
-    for (const Scene& scene : builtinScenes()) CHECK(called.out.find("PASS  " + scene.name) != std::string::npos);
-    for (const Lab& lab : builtinLabs()) CHECK(called.out.find("PASS  " + lab.name + "\n") != std::string::npos);
-    CHECK(called.out.find("box2d-2.4 2.4.") != std::string::npos);
-    CHECK(fs::exists(folder / "build/report/index.html"));
-}
-
 TEST_CASE("help tells the commands and ends with status 0", "[compare][command]") {
     const Called called = call({"--help"});
     CHECK(called.status == 0);
