@@ -98,7 +98,7 @@ void startContacts(const JointStores& stores, const JointHalf& half, JointedCont
     }
 }
 
-void answerContacts(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed) {
+void respondToContacts(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed) {
     constexpr int mostRounds = 3;  // in the last one no stop counts: contacts give too little rather than too much
     const bool mayChange = !jointed.some.empty();
     for (int round = 1; respondToContacts(stores, half, mayChange) && round <= mostRounds; ++round) {

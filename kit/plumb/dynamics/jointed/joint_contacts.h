@@ -41,6 +41,6 @@ void findJointedContacts(const JointStores& stores, JointedContacts& jointed);
 /// Before contacts are solved in a half: lets them see the right masses.
 void startContacts(const JointStores& stores, const JointHalf& half, JointedContacts& jointed);
 /// After contacts are solved: lets the joints respond to their impulses, and notes the loads of the joints.
-void answerContacts(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed);
+void respondToContacts(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed);
 
 }  // namespace plumb

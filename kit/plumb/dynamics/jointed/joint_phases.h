@@ -43,11 +43,11 @@ struct JointPhases {
     // See joint_contacts.h.
     void (*findJointedContacts)(const JointStores& stores, JointedContacts& jointed);
     void (*startContacts)(const JointStores& stores, const JointHalf& half, JointedContacts& jointed);
-    void (*answerContacts)(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed);
-    /// For an island that is not swept: applies an impulse (x, y, turning) to one body, and what its joints
-    /// answer; or tells by how much that would change the body's velocity.
+    void (*respondToContacts)(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed);
+    /// For an island that is not swept: applies an impulse (x, y, turning) to one body, and the reactions of its
+    /// joints; or tells by how much that would change the body's velocity.
     void (*push)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse);
-    Vec3 (*answer)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse);
+    Vec3 (*responseOf)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse);
     /// By how much its worst joint has opened since the step's start [m].
     double (*opening)(const JointIsland& island);
     /// After such impulses: removes the errors that they cause in the joints' held rows.

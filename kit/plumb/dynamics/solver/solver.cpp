@@ -244,7 +244,7 @@ private:
         forEachSlice([&](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
                          const ContactPass& pass) { (solver.*work)(batches, contacts, solverBodies_, pass); });
         half.correct ? loads_->solve() : loads_->relax();
-        if (joints_ != nullptr) joints_->answerContacts(stores_.joints, half, jointed_);
+        if (joints_ != nullptr) joints_->respondToContacts(stores_.joints, half, jointed_);
     }
 
     /// Restitution, at the step's end: only points that have pushed in this step part, at the speed that their approach

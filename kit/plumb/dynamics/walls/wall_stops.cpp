@@ -66,7 +66,7 @@ public:
     Vec3 responseTo(const Vec3& impulse) override {
         if (group_.island == nullptr) return velocityChangeBy(stops_.bodies_, body_, impulse);
         const WallStopStores& stores = stops_.stores_;
-        return stores.jointPhases->answer(stores.joints, *group_.island, body_, impulse);
+        return stores.jointPhases->responseOf(stores.joints, *group_.island, body_, impulse);
     }
     void push(const Vec3& impulse) override {
         const WallStopStores& stores = stops_.stores_;
