@@ -54,16 +54,16 @@ struct Graph {
 
 }  // namespace
 
-std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t bodies, std::uint32_t joints,
+std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t unknowns, std::uint32_t constraints,
                                             std::span<const BlockPlan::Edge> edges, std::size_t mostUpdates) {
-    const std::uint32_t nodes = bodies + joints;
+    const std::uint32_t nodes = unknowns + constraints;
     auto plan = std::make_shared<BlockPlan>();
     Graph graph;
     graph.blockTo.resize(nodes);
     graph.blocks = nodes;
     graph.mayGo.resize(nodes);
     graph.since.resize(nodes);
-    for (std::uint32_t node = 0; node < bodies; ++node) graph.release(node);
+    for (std::uint32_t node = 0; node < unknowns; ++node) graph.release(node);
     for (const BlockPlan::Edge& edge : edges) plan->places.push_back({graph.connect(edge.first, edge.second), false});
     std::vector<std::uint32_t> rank(nodes);
     // The row of a block is the node that is eliminated later: for new blocks (fill-in) known once all nodes have a

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // In which order are the blocks of a sparse symmetric system eliminated?
 //
-// The node with the fewest neighbours is taken first, and a joint only after one of its bodies: alone, its block is
-// almost zero, and dividing by it would lose digits. A tree is therefore eliminated from its leaves, without any new
-// blocks (fill-in), at a cost proportional to its size. The order depends on the graph alone, so equal systems, such as
-// those of a hundred dolls, share one plan.
+// The node with the fewest neighbours is taken first, and a constraint only after one of the unknowns in it: alone, its
+// block is almost zero, and dividing by it would lose digits. A tree is therefore eliminated from its leaves, without
+// any new blocks (fill-in), at a cost proportional to its size. The order depends on the graph alone, so equal systems
+// share one plan.
 // Source: minimum degree: Tinney, Walker, Proc. IEEE 55 (1967) 1801.
 // Test: "a tree of 10,000 nodes takes at most three block updates a node"
 #pragma once
@@ -47,9 +47,9 @@ struct BlockPlan {
     std::size_t bytes() const { return bytesOf(places) + bytesOf(steps) + bytesOf(lowers) + bytesOf(updates); }
 };
 
-/// The plan for a graph, in which the first nodes are bodies and the others joints; null if the elimination would take
-/// more than mostUpdates block updates.
-std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t bodies, std::uint32_t joints,
+/// The plan for a graph, in which the first nodes are unknowns and the others constraints, as bodies and joints are;
+/// null if the elimination would take more than mostUpdates block updates.
+std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t unknowns, std::uint32_t constraints,
                                             std::span<const BlockPlan::Edge> edges, std::size_t mostUpdates);
 
 }  // namespace plumb
