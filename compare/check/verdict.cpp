@@ -48,15 +48,23 @@ const Observation* observationOf(const SceneResult& result, Role role) {
 
 SceneResult runScene(const Scene& scene, const RunOptions& options, const std::vector<Engine>& engines) {
     checkOptions(options, engines);
+    const Scene whole = asAsked(scene, options);
+    validate(whole);
+    validateEngineNames(whole);
+    std::vector<Observation> runs;
+    for (const Engine& engine : engines)
+        if (asked(options, engine.name)) runs.push_back(observe(whole, engine));
+    return resultOf(whole, std::move(runs), options, engines);
+}
+
+SceneResult resultOf(const Scene& scene, std::vector<Observation> observed, const RunOptions& options,
+                     const std::vector<Engine>& engines) {
     SceneResult result;
-    result.scene = asAsked(scene, options);
+    result.scene = scene;
     result.changed = options.changed;
     if (options.dt) result.changed.push_back(fmt::format("dt = {:.6g}", *options.dt));
     if (options.steps) result.changed.push_back(fmt::format("steps = {}", *options.steps));
-    validate(result.scene);
-    validateEngineNames(result.scene);
-    for (const Engine& engine : engines)
-        if (asked(options, engine.name)) result.engines.push_back({observe(result.scene, engine), {}});
+    for (Observation& run : observed) result.engines.push_back({std::move(run), {}});
     const Engine* oracle = find(engines, &Engine::role, Role::Truth);
     const Observation truth = oracle ? observe(result.scene, *oracle) : Observation{};
     // What is worked out of the scene's numbers may hold for less long than the scene says.

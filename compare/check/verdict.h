@@ -93,6 +93,10 @@ struct RunOptions {
 /// and as validate does for the scene that they make.
 SceneResult runScene(const Scene& scene, const RunOptions& options, const std::vector<Engine>& engines);
 
+/// The same for runs of a valid scene that were observed before; their engines are among the given ones.
+SceneResult resultOf(const Scene& scene, std::vector<Observation> observed, const RunOptions& options,
+                     const std::vector<Engine>& engines);
+
 /// The outcomes of the scene's checks, in their order, as runScene describes them. The engines are those to run anew
 /// with smaller steps for the order of convergence.
 std::vector<Outcome> judge(const SceneResult& measured, const std::vector<Engine>& engines);

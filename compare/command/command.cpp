@@ -18,7 +18,7 @@
 #include <compare/command/page_files.h>
 #include <compare/command/scene_choice.h>
 #include <compare/command/scene_list.h>
-#include <compare/command/verdict_json.h>
+#include <compare/view/verdict_json.h>
 #include <compare/command/verdict_table.h>
 #include <compare/report/report.h>
 #include <compare/scene/json.h>

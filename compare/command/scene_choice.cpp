@@ -11,9 +11,9 @@
 #include <compare/engine/engine.h>
 #include <compare/lab/builtin.h>
 #include <compare/scene/builtin.h>
-#include <compare/scene/json.h>
 #include <compare/scene/named.h>
 #include <compare/scene/random/random_scene.h>
+#include <compare/scene/scene_file.h>
 
 namespace plumb::compare {
 namespace {

@@ -21,6 +21,25 @@ struct Phase {
     double seconds = 0;  ///< [s]
 };
 
+/// What exerts a force on a body?
+enum class Cause { Normal, Friction, Joint };
+
+/// A mean force on a body over the last step. Weight is not among them, nor what fields do: the scene says both.
+struct Push {
+    Cause cause = Cause::Normal;
+    std::size_t body = 0;   ///< on which it acts
+    std::size_t other = 0;  ///< the body, or for a joint the joint, that exerts it
+    Vec2 at{0, 0};          ///< in the world [m]
+    Vec2 force{0, 0};       ///< [N]
+};
+
+/// Somebody pulls at a body, as with a damped spring of 5 Hz.
+struct Hand {
+    std::size_t body = 0;
+    Vec2 grip{0, 0};    ///< in the body's frame [m]
+    Vec2 target{0, 0};  ///< to which the grip is pulled, in the world [m]
+};
+
 /// One scene in one engine. Bodies and probes are in the scene's order.
 class Simulation {
 public:
@@ -41,6 +60,10 @@ public:
     virtual std::optional<std::uint64_t> stateHash() const { return {}; }
     /// Which joints have broken so far.
     virtual Broken brokenJoints() const { return {}; }
+    /// The forces of the last step at contacts and joints; empty if the engine does not tell.
+    virtual std::vector<Push> pushes() const { return {}; }
+    /// From now on the hand pulls; without one, nothing does. An engine that cannot be touched ignores it.
+    virtual void hold(const std::optional<Hand>&) {}
 };
 
 /// A name and a value, as listed in the report: "sub-steps", "4".

@@ -8,6 +8,7 @@
 #include <compare/engine/arrivals.h>
 #include <compare/engine/engine_settings.h>
 #include <compare/engine/plumb_movers.h>
+#include <compare/engine/plumb_pushes.h>
 #include <compare/engine/plumb_world.h>
 #include <plumb/record/state_hash.h>
 
@@ -82,6 +83,17 @@ public:
         return broken;
     }
 
+    std::vector<Push> pushes() const override { return plumbPushes(made_, arrivals_.joints()); }
+
+    void hold(const std::optional<Hand>& hand) override {
+        if (hand_ && made_.world.contains(*hand_)) made_.world.remove(*hand_);
+        hand_.reset();
+        const BodyId body = hand ? made_.bodies[hand->body] : BodyId{};
+        if (!hand || !made_.world.contains(body)) return;
+        const Vec2 anchor = made_.world.body(body).pose() * hand->grip;
+        hand_ = made_.world.join(TargetJointDef{.body = body, .anchor = anchor, .target = hand->target});
+    }
+
 private:
     /// A body with sensors, and how often something has entered them.
     struct Gate {
@@ -126,6 +138,7 @@ private:
     PlumbWorld made_;
     PlumbMovers movers_;
     Arrivals arrivals_;
+    std::optional<JointId> hand_;
     int tick_ = 0;
     std::vector<std::function<double()>> values_;
     std::vector<Gate> gates_;

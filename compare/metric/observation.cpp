@@ -21,10 +21,25 @@ bool holds(const Broken& broken, std::size_t joint) {
     return joint >= broken.size() || !broken[joint];
 }
 
+constexpr std::size_t mostJoints = 256;  // of which forces are asked
+
+/// With a probe more for each of its joints.
+Scene withJointsWatched(const Scene& scene) {
+    Scene watched = scene;
+    if (scene.joints.size() > mostJoints) return watched;
+    for (const SceneJoint& joint : scene.joints)
+        watched.probes.push_back({.name = joint.name, .quantity = JointForceProbe{joint.name}, .unit = "N"});
+    return watched;
+}
+
+}  // namespace
+
 /// Writes down what a simulation comes to.
-class Recorder {
+class Run::Recorder {
 public:
-    explicit Recorder(const Scene& scene) : scene_(scene), joints_(scene) {}
+    explicit Recorder(const Scene& scene) : scene_(scene), joints_(scene_) {}
+
+    const Scene& scene() const { return scene_; }
 
     void look(const Simulation& simulation, Observation& seen) const {
         seen.states.push_back(simulation.states());
@@ -70,51 +85,50 @@ private:
         return holds(broken, jointIndex(scene_, joint)) ? 0 : 1;
     }
 
-    const Scene& scene_;
+    Scene scene_;
     JointStates joints_;
 };
 
-constexpr std::size_t mostJoints = 256;  // of which forces are asked
-
-/// With a probe more for each of its joints.
-Scene withJointsWatched(const Scene& scene) {
-    Scene watched = scene;
-    if (scene.joints.size() > mostJoints) return watched;
-    for (const SceneJoint& joint : scene.joints)
-        watched.probes.push_back({.name = joint.name, .quantity = JointForceProbe{joint.name}, .unit = "N"});
-    return watched;
+Run::Run(const Scene& scene, const Engine& engine) : recorder_(std::make_unique<Recorder>(scene)) {
+    seen_.engine = engine.name;
+    seen_.version = engine.version;
+    seen_.settings = engine.settings(scene);
+    seen_.role = engine.role;
+    seen_.partial = engine.role == Role::Truth;
+    seen_.dt = scene.dt;
+    try {
+        simulation_ = engine.build(withJointsWatched(scene));
+        recorder_->look(*simulation_, seen_);
+    } catch (const Unsupported& reason) {
+        seen_.unsupported = reason.what();
+    }
 }
 
-}  // namespace
+Run::~Run() = default;
+Run::Run(Run&&) noexcept = default;
+
+bool Run::isOver() const {
+    return !simulation_ || static_cast<int>(seen_.states.size()) > stepCount(recorder_->scene());
+}
+
+void Run::step() {
+    const auto start = std::chrono::steady_clock::now();
+    simulation_->step(seen_.dt);
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+    milliseconds_.push_back(taken.count());
+    recorder_->look(*simulation_, seen_);
+}
+
+Observation Run::observation() && {
+    if (simulation_) seen_.hash = simulation_->stateHash();
+    if (!seen_.partial && !milliseconds_.empty()) seen_.msPerStep = median(std::move(milliseconds_));
+    return std::move(seen_);
+}
 
 Observation observe(const Scene& scene, const Engine& engine) {
-    Observation seen;
-    seen.engine = engine.name;
-    seen.version = engine.version;
-    seen.settings = engine.settings(scene);
-    seen.role = engine.role;
-    seen.partial = engine.role == Role::Truth;
-    seen.dt = scene.dt;
-    std::unique_ptr<Simulation> simulation;
-    try {
-        simulation = engine.build(withJointsWatched(scene));
-    } catch (const Unsupported& reason) {
-        seen.unsupported = reason.what();
-        return seen;
-    }
-    const Recorder recorder(scene);
-    recorder.look(*simulation, seen);
-    std::vector<double> milliseconds;
-    for (int step = 0; step < stepCount(scene); ++step) {
-        const auto start = std::chrono::steady_clock::now();
-        simulation->step(scene.dt);
-        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-        milliseconds.push_back(taken.count());
-        recorder.look(*simulation, seen);
-    }
-    seen.hash = simulation->stateHash();
-    if (!seen.partial && !milliseconds.empty()) seen.msPerStep = median(std::move(milliseconds));
-    return seen;
+    Run run(scene, engine);
+    while (!run.isOver()) run.step();
+    return std::move(run).observation();
 }
 
 Broken brokenBy(const Observation& run, std::size_t tick) {

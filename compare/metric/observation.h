@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,7 +39,33 @@ struct Observation {
     std::optional<std::uint64_t> hash;  ///< of the state after the run, from an engine that has one
 };
 
-/// Runs a scene in an engine and looks at it after every step. An engine that cannot build it is observed as such.
+/// A scene in an engine, step by step, observed after each. An engine that cannot build the scene is observed as such,
+/// and has nothing to run.
+class Run {
+public:
+    Run(const Scene& scene, const Engine& engine);
+    ~Run();
+    Run(Run&&) noexcept;
+
+    bool isOver() const;
+    /// Only if it is not over.
+    void step();
+    /// Null if the engine cannot build the scene.
+    Simulation* simulation() { return simulation_.get(); }
+    /// Of the steps so far.
+    const Observation& seen() const { return seen_; }
+    /// The same with the hash after them and the time of a step.
+    Observation observation() &&;
+
+private:
+    class Recorder;
+    std::unique_ptr<Recorder> recorder_;
+    std::unique_ptr<Simulation> simulation_;
+    Observation seen_;
+    std::vector<double> milliseconds_{};
+};
+
+/// Runs a scene in an engine from start to end.
 Observation observe(const Scene& scene, const Engine& engine);
 
 /// Which joints had broken by a tick.

@@ -7,13 +7,11 @@
 #include <stdexcept>
 #include <string_view>
 
-#include <compare/metric/conserved.h>
 #include <compare/report/curve.h>
 #include <compare/report/playback.h>
-#include <compare/scene/fields.h>
-#include <compare/scene/joint_geometry.h>
-#include <plumb/math/transform.h>
-#include <plumb/shapes/tile_pieces.h>
+#include <compare/view/engine_cards.h>
+#include <compare/view/result_view.h>
+#include <compare/view/scene_view.h>
 
 namespace plumb::compare {
 namespace {
@@ -21,109 +19,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t mostForces = 8;  // the forces of so many joints are kept for the page's CSV
-
-json pair(const Vec2& v) {
-    return {v.x(), v.y()};
-}
-
-json pointData(const std::vector<Vec2>& points) {
-    json data = json::array();
-    for (const Vec2& point : points) {
-        data.push_back(point.x());
-        data.push_back(point.y());
-    }
-    return data;
-}
-
-/// A shape as the page draws it: under its kind the numbers of its points, and the radius around them if it has one.
-json shapeData(const Circle& circle) {
-    return {{"circle", {circle.center.x(), circle.center.y(), circle.radius}}};
-}
-
-json shapeData(const Capsule& capsule) {
-    return {{"capsule", pointData({capsule.start, capsule.end})}, {"radius", capsule.radius}};
-}
-
-json shapeData(const Polygon& polygon) {
-    json data = {{"polygon", pointData(polygon.vertices)}};
-    if (polygon.radius > 0) data["radius"] = polygon.radius;
-    return data;
-}
-
-json shapeData(const Segment& segment) {
-    return {{"segment", pointData({segment.start, segment.end})}};
-}
-
-/// A ring returns to its first point.
-json shapeData(const Chain& chain) {
-    std::vector<Vec2> points = chain.points;
-    if (chain.closed) points.push_back(chain.points.front());
-    return {{"chain", pointData(points)}};
-}
-
-/// The areas that the tiles fill, and their outline, each with the kind of its tiles.
-json shapesData(const TileMap& map) {
-    constexpr const char* kinds[] = {"solid", "oneWay", "hazard", "sensor"};  // in the order of TileKind
-    json shapes = json::array();
-    for (const TilePiece& piece : tilePiecesOf(map)) {
-        const auto* edge = std::get_if<Segment>(&piece.shape);
-        shapes.push_back(edge != nullptr ? shapeData(*edge) : shapeData(std::get<Polygon>(piece.shape)));
-        shapes.back()["tiles"] = kinds[static_cast<int>(piece.kind)];
-    }
-    return shapes;
-}
-
-json shapesData(const Shape& shape) {
-    if (const auto* circle = std::get_if<Circle>(&shape)) return json::array({shapeData(*circle)});
-    if (const auto* capsule = std::get_if<Capsule>(&shape)) return json::array({shapeData(*capsule)});
-    if (const auto* polygon = std::get_if<Polygon>(&shape)) return json::array({shapeData(*polygon)});
-    if (const auto* segment = std::get_if<Segment>(&shape)) return json::array({shapeData(*segment)});
-    if (const auto* chain = std::get_if<Chain>(&shape)) return json::array({shapeData(*chain)});
-    return shapesData(std::get<TileMap>(shape));
-}
-
-json bodyData(const SceneBody& body) {
-    json shapes = json::array();
-    for (const ShapeDef& shape : body.def.shapes)
-        for (json& data : shapesData(shape.shape)) shapes.push_back(std::move(data));
-    json data = {{"name", body.name},
-                 {"type", bodyTypeTags[static_cast<std::size_t>(body.def.type)]},
-                 {"start", {body.def.position.x(), body.def.position.y(), body.def.angle}},
-                 {"shapes", shapes}};
-    if (body.def.type == BodyType::Dynamic) data["mass"] = massOf(body.def).mass;
-    return data;
-}
-
-/// A joint as two bodies and a point fixed to each: the page draws it wherever the bodies are. Null for a gear, which
-/// has no place of its own, and for a target, which has one body.
-json jointData(const SceneJoint& joint, const JointGeometry& geometry) {
-    if (geometry.bodyA == noBody) return {};
-    json data{{"name", joint.name},
-              {"a", geometry.bodyA},
-              {"b", geometry.bodyB},
-              {"type", tagsOfAlternatives<JointDef>[joint.def.index()]},
-              {"atA", pair(geometry.localAnchorA)},
-              {"atB", pair(geometry.localAnchorB)}};
-    if (const auto* pulley = std::get_if<PulleyJointDef>(&joint.def))
-        data["over"] = {pair(pulley->groundA), pair(pulley->groundB)};
-    return data;
-}
-
-/// The parts of a field that can be drawn: the surface of water and the direction of its gravity, or the point that
-/// attracts. The point of a magnet is in the frame of the body that carries it.
-json fieldData(const Scene& scene, const SceneField& field) {
-    json data{{"name", field.name}};
-    if (const auto* pool = std::get_if<Pool>(&field.def.law)) {
-        data["surface"] = pair(pool->fluid.surface);
-        data["down"] = pair(pool->fluid.gravity.normalized());
-    }
-    if (const auto* attractor = std::get_if<Attractor>(&field.def.law)) data["center"] = pair(attractor->center);
-    if (const auto* magnet = std::get_if<Magnet>(&field.def.law)) {
-        data["center"] = pair(magnet->pull.center);
-        data["body"] = bodyIndex(scene, field.body);
-    }
-    return data;
-}
 
 json partData(const PackedPart& part) {
     return {part.first, part.count};
@@ -172,20 +67,12 @@ json forcesData(const Scene& scene, const Observation& run, std::size_t stride, 
     return forces;
 }
 
-json engineData(const Scene& scene, const EngineResult& result, const PlaybackFormat& format, std::size_t curveStride,
-                PackedBlock& block) {
+/// Adds to what a page says of an engine where its numbers are in the block.
+void addRun(json& data, const Scene& scene, const EngineResult& result, const PlaybackFormat& format,
+            std::size_t curveStride, PackedBlock& block) {
     const Observation& run = result.observation;
-    json settings = json::array();
-    for (const Setting& setting : run.settings) settings.push_back({setting.first, setting.second});
-    json metrics = json::object();
-    for (const auto& [name, value] : result.measured.metrics) metrics[name] = value ? json(*value) : json();
-    json data = {{"name", run.engine}, {"version", run.version}, {"settings", settings}, {"metrics", metrics}};
-    data["answer"] = result.answer;
-    if (!run.unsupported.empty()) {
-        data["unsupported"] = run.unsupported;
-        return data;
-    }
-    data["bodies"] = playedBodies(scene, run.role);
+    if (!run.unsupported.empty()) return;
+    data["bodies"] = movingBodies(scene, run.role);
     data["ticks"] = playedTicks(scene, run);
     data["states"] = partData(packPlayback(scene, run, format, block));
     data["probes"] = probeData(scene, run, curveStride, block);
@@ -194,43 +81,6 @@ json engineData(const Scene& scene, const EngineResult& result, const PlaybackFo
     data["energy"] = curveData(result.measured.series.energy, curveStride, block);
     data["energies"] = energiesData(result.measured.series, curveStride, block);
     data["forces"] = forcesData(scene, run, curveStride, block);
-    return data;
-}
-
-json outcomeData(const Outcome& outcome) {
-    return {{"check", outcome.check},   {"engine", outcome.engine},
-            {"metric", outcome.metric}, {"value", outcome.value ? json(*outcome.value) : json()},
-            {"limit", outcome.limit},   {"pass", outcome.pass},
-            {"reason", outcome.reason}};
-}
-
-json closedFormData(const Scene& scene) {
-    if (!scene.closedForm) return nullptr;
-    return {{"formula", scene.closedForm->formula},
-            {"source", scene.closedForm->source},
-            {"until", scene.closedForm->until}};
-}
-
-/// The limits that are shown in the charts.
-json limitData(const Scene& scene) {
-    json limits = json::object();
-    for (const Check& check : scene.checks) {
-        if (const auto* exact = std::get_if<ExactCheck>(&check)) limits["error"] = exact->limit;
-        if (const auto* agree = std::get_if<AgreeCheck>(&check)) {
-            limits["divergence"] = agree->tolerance;
-            limits["agreeUntil"] = agree->until;
-        }
-    }
-    return limits;
-}
-
-/// body is empty if the two stay together.
-json partingData(const Scene& scene, const Parting& parting) {
-    return {{"a", parting.engineA},
-            {"b", parting.engineB},
-            {"body", parting.body},
-            {"time", parting.time},
-            {"text", partingText(scene, parting)}};
 }
 
 json sceneData(const SceneResult& result, const PlaybackFormat& format, const ReportSettings& settings) {
@@ -243,45 +93,20 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
         dt = engine.observation.dt;
     }
     const std::size_t stride = curveStride(ticks, settings.curvePoints);
-    json data = {{"name", scene.name},
-                 {"title", titleOf(scene)},
-                 {"group", scene.group},
-                 {"question", scene.question},
-                 {"changed", result.changed},
-                 {"pass", result.verdict},
-                 {"checks", scene.checks.size()},
-                 {"dt", dt},
+    json data = sceneView(scene);
+    data.update(resultView(result));
+    data.update({{"dt", dt},
                  {"steps", ticks - 1},
-                 {"gravity", pair(scene.gravity)},
-                 {"closedForm", closedFormData(scene)},
-                 {"limits", limitData(scene)},
                  {"stride", format.stride},
                  {"lengthStep", format.lengthStep},
                  {"angleStep", format.angleStep},
-                 {"curveStride", stride}};
-    data["notes"] = notesData(result);
-    data["conserved"] = conservedMomenta(scene);
-    data["partings"] = json::array();
-    for (const Parting& parting : result.partings) data["partings"].push_back(partingData(scene, parting));
-    if (scene.wrap.any()) data["wrap"] = {scene.wrap.width.value_or(0), scene.wrap.height.value_or(0)};
-    for (const char* list : {"bodies", "joints", "fields", "probes", "engines", "outcomes"}) data[list] = json::array();
-    for (const SceneBody& body : scene.bodies) data["bodies"].push_back(bodyData(body));
-    const std::vector<JointGeometry> joints = jointGeometries(scene);
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        json joint = jointData(scene.joints[i], joints[i]);
-        if (!joint.is_null()) data["joints"].push_back(std::move(joint));
-    }
-    for (const SceneField& field : scene.fields) data["fields"].push_back(fieldData(scene, field));
-    for (const Probe& probe : scene.probes) {
-        data["probes"].push_back({{"name", probe.name}, {"unit", probe.unit}, {"from", probe.from}});
-    }
+                 {"curveStride", stride}});
     PackedBlock block;
-    for (const EngineResult& engine : result.engines) {
-        if (engine.observation.role == Role::Truth && !scene.closedForm) continue;
-        data["engines"].push_back(engineData(scene, engine, format, stride, block));
-    }
+    json& engines = data["engines"];
+    for (const EngineResult& engine : result.engines)
+        for (json& shown : engines)
+            if (shown["name"] == engine.observation.engine) addRun(shown, scene, engine, format, stride, block);
     data["packed"] = block.text();
-    for (const Outcome& outcome : result.outcomes) data["outcomes"].push_back(outcomeData(outcome));
     return data;
 }
 
@@ -292,7 +117,7 @@ json reportData(const std::vector<SceneResult>& results, const std::vector<LabRe
     const std::vector<PlaybackFormat> formats = fitPlayback(results, settings.playbackBudget);
     json scenes = json::array();
     for (std::size_t i = 0; i < results.size(); ++i) scenes.push_back(sceneData(results[i], formats[i], settings));
-    return {{"schema", 1}, {"engines", enginesData(results)}, {"scenes", scenes}, {"labs", labsData(labs)}};
+    return {{"schema", 1}, {"engines", engineCards(results)}, {"scenes", scenes}, {"labs", labsData(labs)}};
 }
 
 std::string scriptText(const json& data) {

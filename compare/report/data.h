@@ -19,19 +19,12 @@ struct ReportSettings {
     std::size_t curvePoints = 4'000;
 };
 
-/// Everything that the page shows, in the form that its scripts read (page/data.js).
+/// Everything that the page shows, in the form that its scripts read (packed.js).
 nlohmann::json reportData(const std::vector<SceneResult>& results, const std::vector<LabResult>& labs = {},
                           const ReportSettings& settings = {});
 
 /// JSON that may be put inside a <script> element: without "<", no text in it can end the element or open a comment.
 std::string scriptText(const nlohmann::json& data);
-
-/// By name, in the order in which they are shown: label, role and look of the engines that were run, of those that labs
-/// may run, and of variants with bullets.
-nlohmann::json enginesData(const std::vector<SceneResult>& results);
-
-/// What users of the scene's engines do outside of the engine; each note once.
-nlohmann::json notesData(const SceneResult& result);
 
 /// A list with everything that the page shows of each lab, in the form that its scripts read (page/lab_page.js).
 nlohmann::json labsData(const std::vector<LabResult>& labs);

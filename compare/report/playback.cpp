@@ -8,19 +8,12 @@
 #include <numeric>
 #include <variant>
 
-#include <compare/engine/engine.h>
+#include <compare/view/scene_view.h>
 
 namespace plumb::compare {
 namespace {
 
 constexpr std::size_t numbersPerBody = 3;
-
-bool isOfClosedForm(const Scene& scene, const std::string& body) {
-    if (!scene.closedForm) return false;
-    return std::ranges::any_of(scene.closedForm->bodies, [&](const BodyMotion& motion) {
-        return std::visit([&](const auto& m) { return m.body == body; }, motion);
-    });
-}
 
 std::size_t keptCount(std::size_t ticks, std::size_t stride) {
     return ticks == 0 ? 0 : (ticks - 1 + stride - 1) / stride + 1;
@@ -47,7 +40,7 @@ struct Excursion {
 
 Excursion excursionOf(const Scene& scene, const Observation& run) {
     Excursion far;
-    const std::vector<std::size_t> bodies = playedBodies(scene, run.role);
+    const std::vector<std::size_t> bodies = movingBodies(scene, run.role);
     for (std::size_t tick = 0; tick < playedTicks(scene, run); ++tick) {
         for (const std::size_t body : bodies) {
             const auto [x, y, angle] = fromStart(scene.bodies[body], run.states[tick][body]);
@@ -80,17 +73,6 @@ PlaybackFormat formatWithin(const SceneResult& result, std::size_t share) {
 
 }  // namespace
 
-std::vector<std::size_t> playedBodies(const Scene& scene, Role role) {
-    std::vector<std::size_t> played;
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        const SceneBody& body = scene.bodies[i];
-        if (body.def.type == BodyType::Static) continue;
-        if (role == Role::Truth && !isOfClosedForm(scene, body.name)) continue;
-        played.push_back(i);
-    }
-    return played;
-}
-
 std::size_t playedTicks(const Scene& scene, const Observation& run) {
     const std::size_t ticks = run.states.size();
     if (run.role != Role::Truth || !scene.closedForm || scene.closedForm->until <= 0 || run.dt <= 0) return ticks;
@@ -109,7 +91,7 @@ std::size_t playbackNumbers(const SceneResult& result, std::size_t stride) {
     std::size_t numbers = 0;
     for (const EngineResult& engine : result.engines) {
         const Observation& run = engine.observation;
-        numbers += keptCount(playedTicks(result.scene, run), stride) * playedBodies(result.scene, run.role).size() *
+        numbers += keptCount(playedTicks(result.scene, run), stride) * movingBodies(result.scene, run.role).size() *
                    numbersPerBody;
     }
     return numbers;
@@ -136,7 +118,7 @@ std::vector<PlaybackFormat> fitPlayback(const std::vector<SceneResult>& results,
 PackedPart packPlayback(const Scene& scene, const Observation& run, const PlaybackFormat& format, PackedBlock& block) {
     const std::vector<std::size_t> ticks = keptTicks(playedTicks(scene, run), format.stride);
     PackedPart whole = block.addSteps({}, 1);
-    for (const std::size_t body : playedBodies(scene, run.role)) {
+    for (const std::size_t body : movingBodies(scene, run.role)) {
         for (std::size_t number = 0; number < numbersPerBody; ++number) {
             std::vector<double> series;
             for (const std::size_t tick : ticks)

@@ -19,10 +19,6 @@ struct PlaybackFormat {
     double angleStep = 0;   ///< [rad]
 };
 
-/// The bodies of the scene, by index, that move in this engine: all except the static ones. For the closed form, those
-/// that it describes.
-std::vector<std::size_t> playedBodies(const Scene& scene, Role role);
-
 /// How many ticks of a run are played before thinning; for the closed form, only as far as it holds.
 std::size_t playedTicks(const Scene& scene, const Observation& run);
 

@@ -2,11 +2,9 @@
 #include <compare/scene/json.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <span>
 #include <stdexcept>
-#include <system_error>
 
 #include <compare/scene/body_mass.h>
 #include <compare/scene/json_plain.h>
@@ -201,17 +199,6 @@ Scene fromJson(std::string_view text, const std::string& file) {
         const std::string what = error.what();
         throw std::invalid_argument(file + ":" + std::to_string(lineOf(json, what)) + ": " + onOneLine(what));
     }
-}
-
-Scene readScene(const std::filesystem::path& path) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        throw std::invalid_argument(path.string() + ": is a folder, wanted a scene's JSON file");
-    }
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (!file) throw std::invalid_argument(path.string() + ": cannot be read, wanted a scene's JSON file");
-    return fromJson(text, path.string());
 }
 
 }  // namespace plumb::compare

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How is a scene written in a file?
 #pragma once
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -26,8 +25,5 @@ std::string toJson(const Scene& scene, Defaults defaults = Defaults::LeftOut);
 /// bodies[2].shapes[0].circle.radius: -1 is not positive" for JSON that is not a scene. Unknown fields and fields given
 /// twice are refused. A field that may be left out and has no default, such as a joint's limit, may also be null.
 Scene fromJson(std::string_view text, const std::string& file);
-
-/// The scene in a file. Throws as fromJson does, and when the file cannot be read.
-Scene readScene(const std::filesystem::path& path);
 
 }  // namespace plumb::compare

@@ -187,7 +187,7 @@ std::string flat(const Json& value) {
 }
 
 /// used: how many characters of the line are already used.
-std::string format(const Json& value, std::size_t indent, std::size_t used) {
+std::string formatted(const Json& value, std::size_t indent, std::size_t used) {
     constexpr std::size_t width = 119;  // 120 less one for a comma
     const std::string line = flat(value);
     if (!value.is_structured() || value.empty() || used + line.size() <= width) return line;
@@ -195,7 +195,7 @@ std::string format(const Json& value, std::size_t indent, std::size_t used) {
     std::string out;
     for (const auto& [name, item] : value.items()) {
         const std::string head = label(value, name);
-        out += (out.empty() ? "" : ",") + start + head + format(item, indent + 2, indent + 2 + head.size());
+        out += (out.empty() ? "" : ",") + start + head + formatted(item, indent + 2, indent + 2 + head.size());
     }
     out += "\n" + std::string(indent, ' ');
     return value.is_array() ? "[" + out + "]" : "{" + out + "}";
@@ -214,7 +214,7 @@ JsonText parseJson(std::string_view text, const std::string& file) {
 }
 
 std::string formatJson(const Json& value) {
-    return format(value, 0, 0);
+    return formatted(value, 0, 0);
 }
 
 }  // namespace plumb::compare

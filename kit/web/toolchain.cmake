@@ -5,11 +5,14 @@ set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 
 find_program(PLUMB_WASM_CLANG NAMES clang++-22 REQUIRED)
+find_program(PLUMB_WASM_CLANG_C NAMES clang-22 REQUIRED)
 find_program(PLUMB_WASM_AR NAMES llvm-ar-22 llvm-ar REQUIRED)  # GNU's ar writes no index of WebAssembly
 find_program(PLUMB_WASM_RANLIB NAMES llvm-ranlib-22 llvm-ranlib REQUIRED)
 find_program(PLUMB_NODE NAMES node nodejs REQUIRED)
 set(CMAKE_CXX_COMPILER "${PLUMB_WASM_CLANG}")
+set(CMAKE_C_COMPILER "${PLUMB_WASM_CLANG_C}")
 set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
+set(CMAKE_C_COMPILER_TARGET wasm32-wasi)
 set(CMAKE_AR "${PLUMB_WASM_AR}")
 set(CMAKE_RANLIB "${PLUMB_WASM_RANLIB}")
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)  # nothing is linked before the runtime is there
@@ -19,6 +22,7 @@ set(CMAKE_EXECUTABLE_SUFFIX_CXX .wasm)
 
 # Four lanes, exceptions, and Debian's triple without a warning of its age.
 set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fwasm-exceptions -Wno-deprecated")
+set(CMAKE_C_FLAGS_INIT "-msimd128 -Wno-deprecated")
 
 # The driver looks for its builtins in another folder than Debian's.
 execute_process(COMMAND "${PLUMB_WASM_CLANG}" -print-resource-dir OUTPUT_VARIABLE resources

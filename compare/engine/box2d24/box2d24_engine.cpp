@@ -11,6 +11,7 @@
 
 #include <compare/engine/arrivals.h>
 #include <compare/engine/box2d24/box2d24_body.h>
+#include <compare/engine/box2d24/box2d24_card.h>
 #include <compare/engine/box2d24/box2d24_joint.h>
 #include <compare/engine/engine_settings.h>
 #include <compare/engine/outside_notes.h>
@@ -23,12 +24,11 @@
 namespace plumb::compare {
 namespace {
 
-constexpr const char* box2d24Name = "box2d-2.4";
 const EngineNumber velocityIterations{"velocityIterations", 8, 1, 1000};
 const EngineNumber positionIterations{"positionIterations", 3, 1, 1000};
 
 int iterationsIn(const Scene& scene, const EngineNumber& number) {
-    return static_cast<int>(numberFor(box2d24Name, number, scene));
+    return static_cast<int>(numberFor(box2d24Card().name, number, scene));
 }
 
 /// By default, 0 if the scene bounces, else Box2D's default; the scene may set another value [m/s].
@@ -37,7 +37,7 @@ EngineNumber thresholdIn24(const Scene& scene) {
 }
 
 double threshold24(const Scene& scene) {
-    return numberFor(box2d24Name, thresholdIn24(scene), scene);
+    return numberFor(box2d24Card().name, thresholdIn24(scene), scene);
 }
 
 constexpr const char* noMoversOfBox2d24 =
@@ -305,15 +305,10 @@ std::vector<Setting> box2d24Settings(const Scene& scene) {
     };
 }
 
-EngineCard box2d24Card(bool bullets) {
-    EngineCard card;
-    card.name = box2d24Name;
+/// The card, with the version; of the variant with bullets, if so.
+EngineCard cardOf(bool bullets) {
+    EngineCard card = box2d24Card();
     card.version = PLUMB_BOX2D24_VERSION;
-    card.label = "Box2D 2.4";
-    card.product = "Box2D";
-    card.role = Role::Peer;
-    card.look = {"#d55e00", "#f58a3c", {}, 1.6};
-    card.oneSidedChains = true;
     return bullets ? asBullets(card, {2, 4}) : card;
 }
 
@@ -341,7 +336,7 @@ std::string leftOutOfBox2d24(const BenchScene& scene) {
 }  // namespace
 
 Engine box2d24Engine(bool bullets) {
-    Engine engine{box2d24Card(bullets), box2d24Settings, {}};
+    Engine engine{cardOf(bullets), box2d24Settings, {}};
     engine.numbers = {velocityIterations, positionIterations, thresholdIn24({})};
     engine.build = [bullets](const Scene& scene) {
         auto simulation = std::make_unique<Box2d24Simulation>(scene);

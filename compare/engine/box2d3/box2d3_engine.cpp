@@ -15,6 +15,7 @@
 #include <compare/engine/box2d3/box2d3_card.h>
 #include <compare/engine/box2d3/box2d3_joint.h>
 #include <compare/engine/box2d3/box2d3_mover.h>
+#include <compare/engine/box2d3/box2d3_pushes.h>
 #include <compare/engine/engine_settings.h>
 #include <compare/engine/outside_notes.h>
 #include <compare/engine/single.h>
@@ -180,6 +181,16 @@ public:
         return broken;
     }
 
+    std::vector<Push> pushes() const override {
+        return lastDt_ ? pushes3({bodies_, joints_, arrivals_.joints(), *lastDt_, subSteps_}) : std::vector<Push>{};
+    }
+
+    void hold(const std::optional<Hand>& hand) override {
+        if (b2Joint_IsValid(hand_)) releaseHand3(hand_);
+        hand_ = b2_nullJointId;
+        if (hand && B2_IS_NON_NULL(bodies_[hand->body])) hand_ = handJoint3(world_.id(), bodies_[hand->body], *hand);
+    }
+
 private:
     struct Watched {
         std::optional<std::pair<b2BodyId, b2BodyId>> bodies;
@@ -314,6 +325,7 @@ private:
     std::vector<b2BodyId> bodies_;
     mutable std::vector<double> angles_;  // as last returned, counted on through whole turns [rad]
     std::vector<b2JointId> joints_;       // null if the joint has broken
+    b2JointId hand_ = b2_nullJointId;
     bool breaks_ = false, senses_ = false;
     std::vector<Watched> probes_;
     Arrivals arrivals_;

@@ -15,6 +15,7 @@
 
 #include <compare/engine/arrivals.h>
 #include <compare/engine/chipmunk/chipmunk_body.h>
+#include <compare/engine/chipmunk/chipmunk_card.h>
 #include <compare/engine/chipmunk/chipmunk_contacts.h>
 #include <compare/engine/chipmunk/chipmunk_joint.h>
 #include <compare/engine/engine_settings.h>
@@ -62,7 +63,6 @@ private:
     int kept_ = -1;
 };
 
-constexpr const char* chipmunkName = "chipmunk";
 const EngineNumber chipmunkIterations{"iterations", 10, 1, 1000};
 const EngineNumber chipmunkSlopNumber{"slop", chipmunkSlop, 0, 1};
 
@@ -74,8 +74,8 @@ OwnedChipmunk<cpSpace> newChipmunkSpace(const Scene& scene) {
     static_cast<void>(greeted);
     OwnedChipmunk<cpSpace> space(cpSpaceNew());
     cpSpaceSetGravity(space.get(), toChipmunk(scene.gravity));
-    cpSpaceSetCollisionSlop(space.get(), numberFor(chipmunkName, chipmunkSlopNumber, scene));
-    cpSpaceSetIterations(space.get(), static_cast<int>(numberFor(chipmunkName, chipmunkIterations, scene)));
+    cpSpaceSetCollisionSlop(space.get(), numberFor(chipmunkCard().name, chipmunkSlopNumber, scene));
+    cpSpaceSetIterations(space.get(), static_cast<int>(numberFor(chipmunkCard().name, chipmunkIterations, scene)));
     cpSpaceSetIdleSpeedThreshold(space.get(), chipmunkIdleSpeed);
     if (scene.sleeping) cpSpaceSetSleepTimeThreshold(space.get(), chipmunkTimeToSleep);
     return space;
@@ -330,13 +330,8 @@ std::string leftOutOfChipmunk(const BenchScene& scene) {
 }  // namespace
 
 Engine chipmunkEngine() {
-    Engine engine;
-    engine.name = chipmunkName;
+    Engine engine{chipmunkCard(), {}, {}};
     engine.version = cpVersionString;
-    engine.label = "Chipmunk 7";
-    engine.product = "Chipmunk";
-    engine.role = Role::Guest;
-    engine.look = {"#cc79a7", "#e39ac3", {6, 3, 1, 3}, 2};
     engine.leavesOut = leftOutOfChipmunk;
     engine.notes = [](const Scene& scene) { return outsideNotes(scene, "Chipmunk", noMoversOfChipmunk); };
     engine.numbers = {chipmunkIterations, chipmunkSlopNumber};

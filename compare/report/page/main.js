@@ -61,7 +61,7 @@ async function openAddress() {
         showView("overview");
         return;
     }
-    await unpackScene(scene);
+    await readyScene(scene);
     if (readAddress().scene !== scene.name) return;
     showView("scene");
     if (scenePage.view.scene !== scene) {

@@ -65,13 +65,13 @@ inline Opened open(const BrowserFolder& folder, const std::string& file, const s
     return opened;
 }
 
-/// Opens a page that has some of the report's own scripts, and then what is given.
+/// Opens a page that has some of the scripts of compare/view, and then what is given.
 inline Opened openWith(const BrowserFolder& folder, std::initializer_list<const char*> scripts,
                        const std::string& rest) {
     std::ofstream page(folder.path / "scripts.html");
     page << "<meta charset='utf-8'>";
     for (const char* script : scripts)
-        page << "<script src='file://" PLUMB_SOURCE_DIR "/compare/report/page/" << script << "'></script>";
+        page << "<script src='file://" PLUMB_SOURCE_DIR "/compare/view/" << script << "'></script>";
     page << rest << std::flush;
     return open(folder, "scripts.html", "");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <compare/report/playback.h>
+#include <compare/view/scene_view.h>
 
 #include <vector>
 
@@ -59,7 +60,7 @@ TEST_CASE("the kept ticks begin with 0, end with the last, and are a stride apar
 
 TEST_CASE("two discs over ten steps are 66 numbers, the static floor is not played", "[compare][report]") {
     const SceneResult result = discs(2, 10);
-    CHECK(playedBodies(result.scene, Role::Subject) == std::vector<std::size_t>{1, 2});
+    CHECK(movingBodies(result.scene, Role::Subject) == std::vector<std::size_t>{1, 2});
     CHECK(playbackNumbers(result, 1) == 2 * 11 * 3);
     CHECK(playbackNumbers(result, 4) == 2 * 4 * 3);  // ticks 0, 4, 8, 10
     PackedBlock block;
@@ -110,8 +111,8 @@ TEST_CASE("the closed form plays the bodies it is about, as long as it holds", "
     run.role = Role::Truth;
     run.dt = 0.1;
     run.states.resize(11);
-    CHECK(playedBodies(scene, Role::Truth) == std::vector<std::size_t>{0});
-    CHECK(playedBodies(scene, Role::Subject) == std::vector<std::size_t>{0, 1});
+    CHECK(movingBodies(scene, Role::Truth) == std::vector<std::size_t>{0});
+    CHECK(movingBodies(scene, Role::Subject) == std::vector<std::size_t>{0, 1});
     CHECK(playedTicks(scene, run) == 4);  // 0, 0.1, 0.2 and 0.3 s, though 3 x 0.1 > 0.3 in binary
     run.role = Role::Subject;
     CHECK(playedTicks(scene, run) == 11);

@@ -41,7 +41,7 @@ inline std::vector<double> unpackedDoubles(const std::string& text) {
     return numbers;
 }
 
-/// The words of a block as differences, as page/data.js has them.
+/// The words of a block as differences, as packed.js has them.
 class UnpackedBlock {
 public:
     explicit UnpackedBlock(const std::string& text) {

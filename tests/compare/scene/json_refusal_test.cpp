@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <compare/scene/json.h>
+#include <compare/scene/scene_file.h>
 
 #include <filesystem>
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/command/verdict_json.h>
+#include <compare/view/verdict_json.h>
 
 #include <fmt/format.h>
 

@@ -114,23 +114,6 @@ function unpackEngine(words, engine, scene) {
     for (const kind of engine.energies) kind.values ??= engine.energy.map(rest);
 }
 
-/// The numbers x, y, x, y, ... of every shape except a disc.
-function pointsOf(shape) {
-    return shape.polygon ?? shape.capsule ?? shape.segment ?? shape.chain ?? [];
-}
-
-/// The furthest point of a body from its origin, for the camera.
-function reach(body) {
-    let far = 0;
-    for (const shape of body.shapes) {
-        const {circle, radius = 0} = shape;
-        if (circle) far = Math.max(far, Math.hypot(circle[0], circle[1]) + circle[2]);
-        const points = pointsOf(shape);
-        for (let i = 0; i < points.length; i += 2) far = Math.max(far, Math.hypot(points[i], points[i + 1]) + radius);
-    }
-    return far;
-}
-
 async function unpackNow(scene) {
     const words = await wordsOf(scene.packed);
     scene.ticks = keptTicks(scene.steps, scene.stride);
@@ -143,19 +126,7 @@ async function unpackNow(scene) {
 }
 
 /// Done only once, however often it is called.
-function unpackScene(scene) {
+function readyScene(scene) {
     scene.unpacked ??= unpackNow(scene);
     return scene.unpacked;
-}
-
-/// The last index whose time is not after t; times rise.
-function indexAt(times, t) {
-    let low = 0;
-    let high = times.length - 1;
-    while (low < high) {
-        const middle = (low + high + 1) >> 1;
-        if (times[middle] <= t + 1e-9) low = middle;
-        else high = middle - 1;
-    }
-    return low;
 }

@@ -66,7 +66,7 @@ class Pictures {
         const theme = stageTheme();
         for (let canvas = this.waiting.shift(); canvas; canvas = this.waiting.shift()) {
             const scene = this.scenes.get(canvas);
-            await unpackScene(scene);
+            await readyScene(scene);
             drawStage(canvas, pictureView(scene, theme));
             // So that a person can scroll in the meantime.
             await new Promise((goOn) => { setTimeout(goOn); });

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <compare/report/data.h>
+#include <compare/view/engine_cards.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-
-#include <compare/engine/engine_settings.h>
 
 namespace plumb::compare {
 namespace {
@@ -38,7 +36,7 @@ EngineCard strangerFrom(const Observation& run) {
 
 }  // namespace
 
-json enginesData(const std::vector<SceneResult>& results) {
+json engineCards(std::span<const SceneResult> results) {
     json data = json::array();
     for (const Engine& engine : engines()) {
         data.push_back(cardData(engine));
@@ -51,20 +49,6 @@ json enginesData(const std::vector<SceneResult>& results) {
         for (const EngineResult& run : result.engines)
             if (!isThere(run.observation.engine)) data.push_back(cardData(strangerFrom(run.observation)));
     return data;
-}
-
-json notesData(const SceneResult& result) {
-    std::vector<std::string> notes;
-    for (const EngineResult& run : result.engines) {
-        for (const auto& [path, value] : settingsFor(run.observation.engine, result.scene))
-            notes.push_back("In " + run.observation.engine + " the scene sets " + path + " to " + value + ".");
-        if (const std::string text = ownStepsText(run.ownSteps); !text.empty()) notes.push_back(text);
-        const Engine* engine = findKnown(run.observation.engine);
-        if (!engine || !engine->notes || !run.observation.unsupported.empty()) continue;
-        for (const std::string& note : engine->notes(result.scene))
-            if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
-    }
-    return notes;
 }
 
 }  // namespace plumb::compare

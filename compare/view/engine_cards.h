@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// How does a page tell engines apart?
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+
+#include <span>
+
+#include <compare/check/verdict.h>
+
+namespace plumb::compare {
+
+/// In the order in which they are shown: name, label, role and look of the engines of this build, of those that the
+/// results have, and of variants with bullets.
+nlohmann::json engineCards(std::span<const SceneResult> results = {});
+
+}  // namespace plumb::compare

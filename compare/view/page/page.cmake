@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+# How is a page that shows scenes put together? Its own HTML, styles and scripts are joined with those that all such
+# pages share, and with their chart library: dygraphs 2 (MIT), taken from where a package installed it.
+
+set(PLUMB_VIEW_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
+
+# In this order: a script may use the scripts before it at once, and those after it once the page runs.
+set(PLUMB_VIEW_SCRIPTS
+    page/dom.js page/format.js page/formula.js page/engines.js page/data.js
+    stage/pose.js stage/camera.js stage/paper.js stage/field.js stage/still.js stage/path.js
+    stage/arrows.js stage/aim.js stage/stage.js stage/picture.js
+    page/player.js page/curves.js page/limits.js page/chart.js page/charts.js page/csv.js page/numbers.js
+    page/controls.js page/partings.js page/scene_page.js)
+list(TRANSFORM PLUMB_VIEW_SCRIPTS PREPEND "${PLUMB_VIEW_DIR}/")
+set(PLUMB_VIEW_STYLES "${PLUMB_VIEW_DIR}/page/page.css" "${PLUMB_VIEW_DIR}/page/scene.css")
+
+# Where they are is in PLUMB_DYGRAPHS_JS and PLUMB_DYGRAPHS_CSS.
+function(plumb_find_dygraphs)
+    foreach(kind js css)
+        string(TOUPPER ${kind} KIND)
+        find_file(PLUMB_DYGRAPHS_${KIND} dygraph.min.${kind}
+            PATHS ${CMAKE_SYSTEM_PREFIX_PATH} /usr
+            PATH_SUFFIXES share/javascript/dygraphs share/nodejs/dygraphs/dist lib/node_modules/dygraphs/dist
+            DOC "dygraphs, the chart library of pages")
+    endforeach()
+endfunction()
+
+# plumb_assemble_page(<output> <page> STYLES ... SCRIPTS ...): what the page has beside what all share. In the page
+# @@style@@, @@scene@@, @@charts@@ and @@scripts@@ say where each goes.
+function(plumb_assemble_page output page)
+    cmake_parse_arguments(own "" "" "STYLES;SCRIPTS" ${ARGN})
+    set(styles "${PLUMB_DYGRAPHS_CSS}" ${PLUMB_VIEW_STYLES} ${own_STYLES})
+    set(scripts ${PLUMB_VIEW_SCRIPTS} ${own_SCRIPTS})
+    list(JOIN styles "," style_names)
+    list(JOIN scripts "," script_names)
+    add_custom_command(
+        OUTPUT "${output}"
+        COMMAND "${CMAKE_COMMAND}" "-DPAGE=${page}" "-DSCENE=${PLUMB_VIEW_DIR}/page/scene.html"
+            "-DSTYLES=${style_names}" "-DCHARTS=${PLUMB_DYGRAPHS_JS}" "-DSCRIPTS=${script_names}"
+            "-DOUTPUT=${output}" -P "${PLUMB_VIEW_DIR}/page/assemble.cmake"
+        DEPENDS "${page}" "${PLUMB_VIEW_DIR}/page/scene.html" "${PLUMB_VIEW_DIR}/page/assemble.cmake" ${styles}
+            ${scripts} "${PLUMB_DYGRAPHS_JS}"
+        COMMENT "Putting together ${output}"
+        VERBATIM)
+endfunction()
