@@ -91,9 +91,10 @@ json bodyData(const SceneBody& body) {
 
 /// A joint as two bodies and a point fixed to each: the page draws it wherever the bodies are. Null for a gear, which
 /// has no place of its own, and for a target, which has one body.
-json jointData(const SceneJoint& joint, const JointGeometry& geometry) {
+json jointData(std::size_t index, const SceneJoint& joint, const JointGeometry& geometry) {
     if (geometry.bodyA == noBody) return {};
     json data{{"name", joint.name},
+              {"index", index},
               {"a", geometry.bodyA},
               {"b", geometry.bodyB},
               {"type", tagsOfAlternatives<JointDef>[joint.def.index()]},
@@ -149,7 +150,7 @@ json sceneView(const Scene& scene) {
     for (const SceneBody& body : scene.bodies) data["bodies"].push_back(bodyData(body));
     const std::vector<JointGeometry> joints = jointGeometries(scene);
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        json joint = jointData(scene.joints[i], joints[i]);
+        json joint = jointData(i, scene.joints[i], joints[i]);
         if (!joint.is_null()) data["joints"].push_back(std::move(joint));
     }
     for (const SceneField& field : scene.fields) data["fields"].push_back(fieldData(scene, field));

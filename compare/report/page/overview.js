@@ -6,25 +6,6 @@ function allEngines(report) {
     return [...names].filter((name) => !isTruth(name));
 }
 
-function failures(scene) {
-    return scene.outcomes.filter((outcome) => !outcome.pass);
-}
-
-/// How far an engine is from the subject at most [m]; null where nothing was compared.
-function apartOf(engine) {
-    const value = engine.metrics.divergence_max;
-    return isTruth(engine.name) || isSubject(engine.name) || typeof value !== "number" ? null : value;
-}
-
-/// "A: 1.64 m; B: 177 mm from C" for a scene without a closed form; null if there are no distances.
-function apartText(scene) {
-    if (scene.closedForm) return null;
-    const parts = scene.engines.filter((engine) => apartOf(engine) !== null)
-        .map((engine) => `${lookOf(engine.name).label}: ${quantity(apartOf(engine), "m")}`);
-    const subject = scene.engines.find(({name}) => isSubject(name));
-    return parts.length > 0 && subject ? `${parts.join("; ")} from ${lookOf(subject.name).label}` : null;
-}
-
 /// What stands first where no scene is judged: the farthest of all engines. Null if there are no distances.
 function farthestSum(scenes) {
     const all = scenes.filter((scene) => apartText(scene))

@@ -5,7 +5,7 @@
 set(PLUMB_REPORT_PAGE_DIR "${CMAKE_CURRENT_LIST_DIR}")
 
 function(plumb_add_report_page target)
-    set(styles overview.css lab.css)
+    set(styles lab.css)
     set(scripts packed.js lab_chart.js lab_page.js search.js overview.js address.js main.js)
     list(TRANSFORM styles PREPEND "${PLUMB_REPORT_PAGE_DIR}/")
     list(TRANSFORM scripts PREPEND "${PLUMB_REPORT_PAGE_DIR}/")

@@ -25,6 +25,11 @@ function evenTicker(low, high, pixels, space, unit = "") {
     return ticks;
 }
 
+/// The look of its engine, or one of its own.
+function lookOfLine(line) {
+    return line.look ?? lookOf(line.engine);
+}
+
 class Chart {
     /// seek(t) is called when a person clicks, and zoomed(window) when a person drags or double-clicks.
     constructor(heading, seek, zoomed) {
@@ -47,9 +52,10 @@ class Chart {
         this.curve = curve;
         this.figure.hidden = curve.lines.length === 0;
         if (this.figure.hidden) return;
-        this.values = curve.lines.map(({engine}) => {
-            const {label} = lookOf(engine);
-            const name = element("dt", {title: label}, engineMark(engine), element("span", {class: "unseen"}, label));
+        this.values = curve.lines.map((line) => {
+            const {engine} = line, {label} = lookOfLine(line);
+            const name = line.look ? element("dt", {style: `color: var(${line.look.color})`}, label)
+                : element("dt", {title: label}, engineMark(engine), element("span", {class: "unseen"}, label));
             const value = element("dd");
             const hidden = this.hidden.has(engine);
             this.readout.append(element("div", {"data-engine": engine, hidden}, name, value));
@@ -76,9 +82,9 @@ class Chart {
         const {lines, range, logarithmic: isLog, unit} = this.curve;
         const text = chartText();
         const series = {};
-        for (const {engine} of lines) {
-            const look = lookOf(engine);
-            series[engine] = {color: themeColor(look.color), strokeWidth: look.width,
+        for (const line of lines) {
+            const look = lookOfLine(line);
+            series[line.engine] = {color: themeColor(look.color), strokeWidth: look.width,
                 strokePattern: look.dash.length > 0 ? look.dash : null};
         }
         const dense = Math.round(5 * text);
@@ -87,7 +93,7 @@ class Chart {
         return {
             labels: ["t", ...lines.map(({engine}) => engine)], series, legend: "never",
             visibility: lines.map(({engine}) => !this.hidden.has(engine)),
-            valueRange: range, logscale: isLog, dateWindow: this.wholeWindow(),
+            stackedGraph: Boolean(this.curve.stacked), valueRange: range, logscale: isLog, dateWindow: this.wholeWindow(),
             ylabel: axis.length > 12 ? `[${unit}]` : `${axis} [${unit}]`, yLabelWidth: text + 6,
             axisLabelFontSize: text, gridLineColor: themeColor("--grid"), axisLineColor: themeColor("--axis"),
             highlightCircleSize: 0, rightGap: 2 * text, xRangePad: 0,

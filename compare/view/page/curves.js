@@ -26,14 +26,20 @@ function probeCurve(scene, index) {
     return {times: scene.curveTimes, lines, unit: scene.probes[index].unit, ruler: true};
 }
 
+/// What may be plotted of a body, with its unit.
+const PARTS = {x: "m", y: "m", angle: "rad", vx: "m/s", vy: "m/s", speed: "m/s"};
+
+function partOf(scene, engine, frame, body, part) {
+    if (part in {x: 0, y: 0, angle: 0}) return poseOf(scene, engine, frame, body)?.[part] ?? NaN;
+    const velocity = velocityOf(scene, engine, frame, body);
+    if (!velocity) return NaN;
+    return part === "speed" ? Math.hypot(...velocity) : velocity[part === "vx" ? 0 : 1];
+}
+
 function motionCurve(scene, body, part) {
-    const lines = [];
-    for (const engine of scene.running) {
-        if (!engine.slots.has(body)) continue;
-        const values = scene.ticks.map((_, frame) => poseOf(scene, engine, frame, body)?.[part] ?? NaN);
-        lines.push({engine: engine.name, values});
-    }
-    return {times: scene.times, lines, unit: part === "angle" ? "rad" : "m", ruler: true};
+    const lines = scene.running.filter((engine) => engine.slots.has(body)).map((engine) => ({engine: engine.name,
+        values: Array.from(scene.ticks, (_, frame) => partOf(scene, engine, frame, body, part))}));
+    return {times: scene.times, lines, unit: PARTS[part], ruler: true};
 }
 
 /// What a person may plot: the scene's own quantities first, then those of each body.
@@ -44,13 +50,26 @@ function motionChoices(scene) {
     })).filter((choice) => choice.curve().lines.length > 0);
     scene.bodies.forEach((body, index) => {
         if (body.type === "static") return;
-        for (const part of ["x", "y", "angle"]) {
-            const unit = part === "angle" ? "rad" : "m";
+        for (const [part, unit] of Object.entries(PARTS)) {
             choices.push({group: body.name, label: `${part} of ${body.name} [${unit}]`, axis: part, body: index, part,
                 curve: () => motionCurve(scene, index, part)});
         }
     });
     return choices;
+}
+
+/// The kinds of energy of one engine, one on top of the other. Where potential energy is 0 is free: it is the least of
+/// the run here.
+function stackedEnergies(scene, engine) {
+    const looks = {width: 1, dash: []};
+    const lines = engine.energies.map(({name, values}) => {
+        const least = values.reduce((low, value) => (value < low ? value : low), Infinity);
+        const above = Array.from(values, (value) => value - (name === "potential" ? least : 0));
+        return {engine: name, values: above, drawn: above, look: {...looks, label: name, color: `--energy-${name}`}};
+    });
+    const sums = Array.from(scene.curveTimes, (_, i) => lines.reduce((sum, {values}) => sum + (values[i] || 0), 0));
+    const most = sums.reduce((high, sum) => Math.max(high, sum), 1e-9);
+    return {times: scene.curveTimes, lines, unit: "J", ruler: true, stacked: true, range: [0, 1.1 * most], logarithmic: false};
 }
 
 function spread(values) {

@@ -46,6 +46,25 @@ function failureText(scene, outcome) {
     return `${lookOf(outcome.engine).label}: ${metric} ${value}, not ${limitText(scene, outcome)}`;
 }
 
+function failures(scene) {
+    return scene.outcomes.filter((outcome) => !outcome.pass);
+}
+
+/// How far an engine is from the subject at most [m]; null where nothing was compared.
+function apartOf(engine) {
+    const value = engine.metrics.divergence_max;
+    return isTruth(engine.name) || isSubject(engine.name) || typeof value !== "number" ? null : value;
+}
+
+/// "A: 1.64 m; B: 177 mm from C" for a scene without a closed form; null if there are no distances.
+function apartText(scene) {
+    if (scene.closedForm) return null;
+    const parts = scene.engines.filter((engine) => apartOf(engine) !== null)
+        .map((engine) => `${lookOf(engine.name).label}: ${quantity(apartOf(engine), "m")}`);
+    const subject = scene.engines.find(({name}) => isSubject(name));
+    return parts.length > 0 && subject ? `${parts.join("; ")} from ${lookOf(subject.name).label}` : null;
+}
+
 /// pass: true, false, or null if not judged.
 function verdictSign(pass) {
     return pass === null ? {kind: "unjudged", sign: NONE, word: "not judged"}

@@ -8,11 +8,12 @@ set(PLUMB_VIEW_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
 set(PLUMB_VIEW_SCRIPTS
     page/dom.js page/format.js page/formula.js page/engines.js page/data.js
     stage/pose.js stage/camera.js stage/paper.js stage/field.js stage/still.js stage/path.js
-    stage/arrows.js stage/aim.js stage/stage.js stage/picture.js
+    stage/quantities.js stage/arrows.js stage/tools.js stage/readout.js stage/aim.js stage/stage.js stage/picture.js
     page/player.js page/curves.js page/limits.js page/chart.js page/charts.js page/csv.js page/numbers.js
     page/controls.js page/partings.js page/scene_page.js)
 list(TRANSFORM PLUMB_VIEW_SCRIPTS PREPEND "${PLUMB_VIEW_DIR}/")
-set(PLUMB_VIEW_STYLES "${PLUMB_VIEW_DIR}/page/page.css" "${PLUMB_VIEW_DIR}/page/scene.css")
+set(PLUMB_VIEW_STYLES page/page.css page/overview.css page/scene.css)
+list(TRANSFORM PLUMB_VIEW_STYLES PREPEND "${PLUMB_VIEW_DIR}/")
 
 # Where they are is in PLUMB_DYGRAPHS_JS and PLUMB_DYGRAPHS_CSS.
 function(plumb_find_dygraphs)

@@ -10,6 +10,8 @@ class Player {
         this.speed = 1;
         this.playing = false;
         this.repeat = false;
+        this.mark = null;  // from when on a stopwatch counts [s]
+        this.known = Infinity;  // until then the run is computed [s]
         this.waiting = null;
     }
     get end() { return this.times[this.times.length - 1]; }
@@ -19,6 +21,7 @@ class Player {
         this.stop();
         this.times = times;
         this.time = 0;
+        this.mark = null;
     }
     seek(time) {
         this.time = Math.min(Math.max(time, 0), this.end);
@@ -72,7 +75,7 @@ class Player {
         // After a long pause, for example in a hidden tab, it continues near where it was.
         const passed = Math.min(0.25, Math.max(0, now - this.last) / 1000);
         this.last = now;
-        this.time += passed * this.speed;
+        this.time = Math.min(this.time + passed * this.speed, Math.max(this.time, this.known));
         if (this.time >= this.end && this.repeat) this.time = 0;
         if (this.time >= this.end) {
             this.time = this.end;

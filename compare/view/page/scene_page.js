@@ -2,16 +2,16 @@
 // What does the page of one scene contain? The stage, the charts and the tables, all at one time.
 
 /// What may be drawn besides the bodies, each with its checkbox.
-const DRAWN = ["path", "trails", "velocity", "force"];
+const DRAWN = ["path", "trails", "velocity", "acceleration", "momentum", "force", "causes"];
 
 class ScenePage {
-    /// settled() is called when the page is in a state that the address should name.
-    constructor(settled) {
+    /// settled() is called when the page is in a state that the address should name; grab as for StageAim.
+    constructor(settled, grab) {
         this.player = new Player(() => this.showTime());
         this.showSpeed = bindTransport(this.player, settled);
         this.settled = settled;
-        this.view = {scene: null, hidden: new Set(), magnify: 1, aim: wholeView(), theme: stageTheme()};
-        this.aim = new StageAim(byId("stage"), this.view, () => this.draw());
+        this.view = {scene: null, hidden: new Set(), magnify: 1, aim: wholeView(), theme: stageTheme(), tools: {}};
+        this.aim = new StageAim(byId("stage"), this.view, () => this.draw(), grab);
         const seek = (time) => { this.player.seek(time); settled(); };
         this.charts = new Charts(byId("charts"), seek);
         bindKeys(this.player, this.aim, () => this.view.scene !== null);
@@ -19,6 +19,13 @@ class ScenePage {
         for (const drawn of DRAWN) {
             byId(drawn).addEventListener("change", ({target}) => { this.view[drawn] = target.checked; this.draw(); });
         }
+        for (const tool of Object.keys(TOOLS)) {
+            byId(tool).addEventListener("change", ({target}) => this.take(tool, target.checked));
+        }
+        byId("stopwatch").addEventListener("click", () => {
+            this.player.mark = this.player.mark === null ? this.player.time : null;
+            this.showTime();
+        });
         fillChoice(byId("magnify"), "magnify", MAGNIFICATIONS, 1, (times) => {
             this.view.magnify = times;
             this.draw();
@@ -40,7 +47,7 @@ class ScenePage {
         this.view.scene = null;
     }
 
-    /// The scene must be unpacked.
+    /// The scene must be ready: see data.js.
     open(scene) {
         this.player.load(scene.times);
         this.wasPlaying = false;
@@ -49,17 +56,33 @@ class ScenePage {
         const moving = scene.bodies.filter((body) => body.type !== "static").length;
         this.view.trails = moving <= 3;
         this.view.path = moving <= 12;
+        this.view.tools = {};
+        this.view.pointer = null;
+        for (const tool of Object.keys(TOOLS)) byId(tool).checked = false;
         for (const drawn of DRAWN) byId(drawn).checked = Boolean(this.view[drawn]);
+        byId("causes").parentElement.hidden = !scene.running.some((engine) => engine.pushesAt);
         this.view.frame = 0;
         byId("scrub").max = scene.ticks.length - 1;
+        this.view.theme = stageTheme();
+        this.show(scene);
+        this.charts.load(scene);
+        this.aim.fit();
+        this.showTime();
+    }
+
+    /// The words, keys and tables.
+    show(scene) {
         this.showHead(scene);
         this.showPartings(scene);
         this.showKeys(scene);
         this.showTables(scene);
-        this.charts.load(scene);
-        this.view.theme = stageTheme();
-        this.aim.fit();
-        this.showTime();
+    }
+
+    /// Takes a tool, or puts it away.
+    take(tool, isTaken) {
+        if (isTaken) this.view.tools[tool] = toolPoints(this.view.camera, tool);
+        else delete this.view.tools[tool];
+        this.draw();
     }
 
     showHead(scene) {
@@ -95,7 +118,7 @@ class ScenePage {
     showKeys(scene) {
         byId("engine-keys").replaceChildren(...scene.engines.map((engine) => {
             const toggle = (event) => this.toggle(engine.name, event.target.checked);
-            const input = element("input", {type: "checkbox", onchange: toggle});
+            const input = element("input", {type: "checkbox", onchange: toggle, "data-engine": engine.name});
             input.checked = !engine.unsupported && !this.view.hidden.has(engine.name);
             input.disabled = Boolean(engine.unsupported);
             return element("label", {title: engine.unsupported ?? ""}, input, element("span", {}, engineName(engine.name)));

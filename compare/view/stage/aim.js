@@ -41,13 +41,15 @@ function bodyAt(view, px, py) {
 }
 
 class StageAim {
-    /// changed() draws the stage again.
-    constructor(canvas, view, changed) {
-        Object.assign(this, {canvas, view, changed, pointers: new Map(), moved: 0});
+    /// changed() draws the stage again. grab(body, x, y), if there is one, may take a body that is pressed at a point of
+    /// the world: it returns {move(x, y), end()}, or null to leave it.
+    constructor(canvas, view, changed, grab = () => null) {
+        Object.assign(this, {canvas, view, changed, grab, pointers: new Map(), moved: 0, held: null});
         canvas.addEventListener("wheel", (event) => this.wheel(event), {passive: false});
         canvas.addEventListener("pointerdown", (event) => this.press(event));
         canvas.addEventListener("pointermove", (event) => this.move(event));
         for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => this.release(event));
+        canvas.addEventListener("pointerleave", () => this.point(null));
         canvas.addEventListener("dblclick", () => this.fit());
         byId("zoom-in").addEventListener("click", () => this.zoom(1.5));
         byId("zoom-out").addEventListener("click", () => this.zoom(1 / 1.5));
@@ -108,17 +110,46 @@ class StageAim {
         if (this.pointers.size === 0) this.moved = 0;
         else this.moved = Infinity;
         this.pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
+        if (this.pointers.size === 1) this.held = this.taken(event.offsetX, event.offsetY);
+    }
+
+    /// What a press takes hold of: a point of a tool, or a body.
+    taken(px, py) {
+        const {view} = this, tool = toolAt(view, px, py);
+        if (tool) {
+            return {move: (x, y) => {
+                view.tools[tool.kind][tool.index] = [x, y];
+                this.changed();
+            }, end() {}};
+        }
+        const body = bodyAt(view, px, py);
+        return body === null ? null : this.grab(body, view.camera.worldX(px), view.camera.worldY(py));
+    }
+
+    /// The pointer is over a point of the stage, or over none.
+    point(place) {
+        if (!place && !this.view.pointer) return;
+        this.view.pointer = place;
+        this.changed();
     }
 
     /// One pointer drags; two pointers pinch around the middle between them.
     move(event) {
         const before = this.pointers.get(event.pointerId);
-        if (!before) return;
+        if (!before) {
+            this.point([event.offsetX, event.offsetY]);
+            return;
+        }
+        this.view.pointer = null;
         const now = [event.offsetX, event.offsetY];
         const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
         this.pointers.set(event.pointerId, now);
         this.moved += Math.hypot(now[0] - before[0], now[1] - before[1]);
         if (this.moved < 5) return;
+        if (this.held) {
+            this.held.move(this.view.camera.worldX(now[0]), this.view.camera.worldY(now[1]));
+            return;
+        }
         const share = other ? 0.5 : 1;
         const {aim, camera} = this.view;
         aim.x -= (share * (now[0] - before[0])) / camera.scale;
@@ -133,6 +164,10 @@ class StageAim {
     }
 
     release(event) {
+        if (this.held && this.pointers.has(event.pointerId)) {
+            this.held.end();
+            this.held = null;
+        }
         if (!this.pointers.delete(event.pointerId) || event.type === "pointercancel" || this.moved >= 5) return;
         const body = bodyAt(this.view, event.offsetX, event.offsetY);
         if (body !== null || this.view.aim.follow !== null) this.follow(body);

@@ -1,72 +1,18 @@
 // SPDX-License-Identifier: MIT
-// How fast does each body move, and what pushes it? Shown as arrows, from differences of the played states.
+// How are velocities and forces drawn? As arrows, with a key that says how long an arrow is.
 
-/// The frames before and after, and this one. Null at the ends, across an edge of the world, and if the steps are
-/// uneven.
-function posesAround(scene, engine, frame, body) {
-    const {times} = scene;
-    if (frame < 1 || frame + 1 >= times.length) return null;
-    const [before, now, after] = [-1, 0, 1].map((step) => poseOf(scene, engine, frame + step, body));
-    if (!before || !now || !after || isAround(scene, before, now) || isAround(scene, now, after)) return null;
-    const dt = (times[frame + 1] - times[frame - 1]) / 2;
-    return Math.abs(times[frame + 1] - times[frame] - dt) < 0.01 * dt ? {before, now, after, dt} : null;
-}
-
-/// [m/s]
-function velocityOf(scene, engine, frame, body) {
-    const inside = Math.min(Math.max(frame, 1), scene.times.length - 2);
-    const around = posesAround(scene, engine, inside, body);
-    if (!around) return null;
-    const {before, after, dt} = around;
-    return [(after.x - before.x) / (2 * dt), (after.y - before.y) / (2 * dt)];
-}
-
-/// Less than this share of a body's weight is not drawn as a force. Some engines keep positions in floats: 10 m from the
-/// origin they are rounded to 1 µm, which over steps of 1/60 s looks like 0.7 thousandths of the weight.
-const LEAST_FORCE = 1e-3;
-
-/// How large a force may look that is only the rounding of floats, of 24 bits, and of the positions in the page [N].
-function roundingForce(scene, mass, {now, dt}) {
-    const ofOne = scene.lengthStep / 2 + 2 ** -24 * Math.max(Math.abs(now.x), Math.abs(now.y));
-    return (mass * 4 * ofOne) / dt ** 2;  // before - 2 now + after: four times the rounding of one
-}
-
-/// Mass times the change of velocity: the sum of all forces on the body [N]. Null if it may be rounding.
-function netForceOf(scene, engine, frame, body) {
-    const around = posesAround(scene, engine, frame, body);
-    const {mass} = scene.bodies[body];
-    if (!around || !mass) return null;
-    const {before, now, after, dt} = around;
-    const force = [after.x - 2 * now.x + before.x, after.y - 2 * now.y + before.y].map((x) => (mass * x) / dt ** 2);
-    return Math.hypot(...force) > roundingForce(scene, mass, around) ? force : null;
-}
-
-/// The largest force on a body in the run, for scenes without gravity [N].
-function largestForce(scene) {
-    if (scene.largestForce !== undefined) return scene.largestForce;
-    scene.largestForce = 0;
-    const [engine] = scene.running;
-    for (let frame = 1; engine && frame < scene.ticks.length; ++frame) {
-        for (const body of engine.bodies) {
-            const force = netForceOf(scene, engine, frame, body);
-            if (force) scene.largestForce = Math.max(scene.largestForce, Math.hypot(...force));
-        }
-    }
-    return scene.largestForce;
-}
-
-/// The force that is drawn: null if it is too small to mean anything.
-function drawnForceOf(scene, engine, frame, body) {
-    const force = netForceOf(scene, engine, frame, body);
-    if (!force) return null;
-    const usual = scene.bodies[body].mass * Math.hypot(...scene.gravity) || largestForce(scene);
-    return Math.hypot(...force) >= LEAST_FORCE * usual ? force : null;
-}
-
+/// Kinds of one scale have their lengths in common.
 const ARROWS = {
-    velocity: {of: velocityOf, unit: "m/s", width: 2.2, filled: true},
-    force: {of: drawnForceOf, unit: "N", width: 1.4, filled: false},
+    velocity: {of: velocityOf, unit: "m/s", width: 2.2, filled: true, scale: "velocity"},
+    acceleration: {of: accelerationOf, unit: "m/s²", width: 1.4, filled: true, scale: "acceleration"},
+    momentum: {of: momentumOf, unit: "kg m/s", width: 3, filled: true, scale: "momentum"},
+    force: {of: drawnForceOf, unit: "N", width: 1.4, filled: false, scale: "force"},
+    causes: {unit: "N", width: 1.4, filled: true, scale: "force"},
 };
+
+function arrowsShown(view) {
+    return Object.keys(ARROWS).filter((kind) => view[kind]);
+}
 
 /// The size that only a twentieth of the moments exceed: an impact must not make all other arrows too short to see.
 function usualSize(scene, kind) {
@@ -105,43 +51,89 @@ function drawArrow(context, [x, y], [dx, dy], filled) {
     else context.stroke();
 }
 
-/// Pixels for one m/s or N; 0 if nothing moves.
+/// Pixels for one unit; 0 if nothing moves. Forces that cancel out would make others endless: so a weight counts, too.
 function arrowScale(camera, scene, kind) {
-    const usual = usualSize(scene, kind);
+    const {scale} = ARROWS[kind];
+    const heaviest = Math.max(0, ...scene.bodies.map(({mass}) => mass ?? 0)) * Math.hypot(...scene.gravity);
+    const usual = Math.max(usualSize(scene, scale), scale === "force" ? heaviest : 0);
     return usual > 1e-9 ? (0.16 * Math.min(camera.width, camera.height)) / usual : 0;
 }
 
-function drawArrows(context, camera, view, engine) {
+/// What the arrows of a kind are at a frame: {at [m], vector, name}.
+function arrowsOf(view, engine, kind) {
     const {scene, frame, magnify} = view;
+    if (kind === "causes") {
+        return magnify === 1 ? causesOf(scene, engine, frame).map(({at, force, name}) => ({at, vector: force, name})) : [];
+    }
+    return engine.bodies.flatMap((body) => {
+        const pose = drawnPose(scene, engine, frame, body, magnify);
+        const vector = pose && ARROWS[kind].of(scene, engine, frame, body);
+        return vector ? [{at: [pose.x, pose.y], vector}] : [];
+    });
+}
+
+function drawArrows(context, camera, view, engine) {
     context.setLineDash([]);
-    for (const kind of Object.keys(ARROWS).filter((name) => view[name])) {
-        const {of, width, filled} = ARROWS[kind];
-        const scale = arrowScale(camera, scene, kind);
+    for (const kind of arrowsShown(view)) {
+        const {width, filled} = ARROWS[kind];
+        const scale = arrowScale(camera, view.scene, kind);
         const most = 0.5 * Math.min(camera.width, camera.height);
+        const labels = [];
         context.lineWidth = width;
-        for (const body of engine.bodies) {
-            const pose = drawnPose(scene, engine, frame, body, magnify);
-            const vector = pose && of(scene, engine, frame, body);
-            if (!vector) continue;
+        for (const {at, vector, name} of arrowsOf(view, engine, kind)) {
             const shrink = Math.min(1, most / (scale * Math.hypot(...vector) || 1));
             const [dx, dy] = vector.map((part) => part * scale * shrink);
-            drawArrow(context, [camera.x(pose.x), camera.y(pose.y)], [dx, -dy], filled);
+            const from = [camera.x(at[0]), camera.y(at[1])];
+            drawArrow(context, from, [dx, -dy], filled);
+            if (name && Math.hypot(dx, dy) >= 12) labels.push([name, from[0] + dx, from[1] - dy, dx]);
         }
+        if (engine === guideOf(view)) for (const label of labels) drawArrowName(context, view.theme, ...label);
     }
 }
+
+function drawArrowName(context, theme, name, x, y, dx) {
+    context.save();
+    labelOnPaper(context, {...theme, text: 0.85 * theme.text}, name, x + (dx < 0 ? -6 : 6), y, dx < 0 ? "right" : "left");
+    context.restore();
+}
+
+/// The momenta of all bodies tip to tail, and their sum, in a corner of the stage. In scenes of two to six bodies.
+function drawMomentumSum(context, camera, view) {
+    const engine = guideOf(view);
+    if (!view.momentum || !engine) return;
+    const momenta = engine.bodies.map((body) => momentumOf(view.scene, engine, view.frame, body)).filter(Boolean);
+    if (momenta.length < 2 || momenta.length > 6) return;
+    const scale = arrowScale(camera, view.scene, "momentum");
+    const start = [camera.margins.left + 0.2 * camera.width, camera.margins.top + 0.16 * camera.height];
+    let [x, y] = start;
+    context.strokeStyle = context.fillStyle = themeColor(lookOf(engine.name).color);
+    context.lineWidth = 1.5;
+    context.setLineDash([]);
+    for (const [px, py] of momenta) {
+        drawArrow(context, [x, y], [px * scale, -py * scale], true);
+        [x, y] = [x + px * scale, y - py * scale];
+    }
+    context.strokeStyle = context.fillStyle = view.theme.ink;
+    context.lineWidth = 3;
+    drawArrow(context, start, [x - start[0], y - start[1]], false);
+    const sum = Math.hypot(...[0, 1].map((part) => momenta.reduce((total, p) => total + p[part], 0)));
+    labelOnPaper(context, view.theme, `sum of momenta: ${quantity(sum, "kg m/s")}`, start[0], start[1] - 1.6 * view.theme.text, "left");
+}
+
+const KEY_WORDS = {force: ", all forces together", causes: ", each force", acceleration: ", acceleration"};
 
 /// A key above the lower ruler: how long an arrow is for which speed and force.
 function drawArrowKey(context, camera, view) {
     const {theme, scene} = view;
     let y = camera.height - camera.margins.bottom - theme.text;
     context.setLineDash([]);
-    for (const kind of Object.keys(ARROWS).filter((name) => view[name])) {
+    for (const kind of arrowsShown(view)) {
         const scale = arrowScale(camera, scene, kind);
-        if (scale === 0) continue;
+        if (scale === 0 || (kind === "causes" && view.force)) continue;
         const {unit, width, filled} = ARROWS[kind];
         const size = niceStep(30 / scale);
         const x = camera.margins.left + 10;
-        const label = `${chosenQuantity(size, unit)}${kind === "force" ? ", all forces together" : ""}`;
+        const label = `${chosenQuantity(size, unit)}${KEY_WORDS[kind] ?? ""}`;
         context.strokeStyle = context.fillStyle = theme.ink;
         context.lineWidth = width;
         drawArrow(context, [x, y], [size * scale, 0], filled);

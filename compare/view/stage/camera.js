@@ -39,7 +39,8 @@ class Box {
 
 function pathBox(scene, engine) {
     const box = new Box();
-    for (let frame = 0; frame < scene.ticks.length; ++frame) {
+    const stride = frameStride(scene, engine);
+    for (let frame = 0; frame < scene.ticks.length; frame += stride) {
         for (const body of engine.bodies) {
             const pose = poseOf(scene, engine, frame, body);
             if (pose) box.add(pose.x, pose.y, scene.bodies[body].reach);

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Which path do the bodies of an engine take from start to end?
 
-/// Made once, in metres; the canvas scales it. In very long runs some frames are skipped, because 200,000 points take a
-/// while to draw.
+/// In very long runs some frames are skipped, because 200,000 points take a while to draw.
+function frameStride(scene, engine) {
+    return Math.max(1, Math.ceil((scene.ticks.length * engine.bodies.length) / 200000));
+}
+
+/// Made once for what is known of the run, in metres; the canvas scales it.
 function wholePath(scene, engine, magnify) {
-    if (engine.path?.magnify === magnify) return engine.path.way;
+    const {path, ticks} = engine;
+    if (path?.magnify === magnify && path.ticks === ticks) return path.way;
     const way = new Path2D();
     const frames = scene.ticks.length;
-    const stride = Math.max(1, Math.ceil((frames * engine.bodies.length) / 200000));
+    const stride = frameStride(scene, engine);
     for (const body of engine.bodies) {
         let before = null;
         for (let frame = 0; frame < frames; frame += stride) {
@@ -18,7 +23,7 @@ function wholePath(scene, engine, magnify) {
             before = pose;
         }
     }
-    engine.path = {magnify, way};
+    engine.path = {magnify, ticks, way};
     return way;
 }
 

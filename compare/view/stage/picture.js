@@ -67,6 +67,10 @@ class Pictures {
         for (let canvas = this.waiting.shift(); canvas; canvas = this.waiting.shift()) {
             const scene = this.scenes.get(canvas);
             await readyScene(scene);
+            if (!scene.running) {
+                this.watch.observe(canvas);
+                continue;
+            }
             drawStage(canvas, pictureView(scene, theme));
             // So that a person can scroll in the meantime.
             await new Promise((goOn) => { setTimeout(goOn); });

@@ -158,6 +158,25 @@ function drawTrails(context, camera, view, engine, look) {
     context.globalAlpha = 1;
 }
 
+/// So many bodies are drawn as one path, which is many times faster.
+const CROWD = 400;
+
+function drawCrowd(context, camera, view, engine, look) {
+    const {scene, frame, magnify} = view;
+    context.lineWidth = Math.min(look.width, 1.2);
+    context.beginPath();
+    for (const body of engine.bodies) {
+        const pose = drawnPose(scene, engine, frame, body, magnify);
+        if (pose) for (const shape of scene.bodies[body].shapes) traceShape(context, camera, shape, pose);
+    }
+    if (look.filled) {
+        context.globalAlpha = 0.28;
+        context.fill();
+        context.globalAlpha = 1;
+    }
+    context.stroke();
+}
+
 function drawEngine(context, camera, view, engine) {
     const {scene, frame, magnify} = view;
     const look = lookOf(engine.name);
@@ -166,7 +185,8 @@ function drawEngine(context, camera, view, engine) {
     if (view.path) drawWholePath(context, camera, view, engine);
     if (view.trails) drawTrails(context, camera, view, engine, look);
     context.lineWidth = view.isPicture ? 0.6 * look.width : look.width;
-    for (const body of engine.bodies) {
+    if (engine.bodies.length > CROWD) drawCrowd(context, camera, view, engine, look);
+    else for (const body of engine.bodies) {
         const pose = drawnPose(scene, engine, frame, body, magnify);
         if (pose) drawBody(context, camera, scene.bodies[body], pose, look, view.isPicture ? 2 : 5);
     }
@@ -196,8 +216,8 @@ function readyContext(canvas) {
     return context;
 }
 
-/// view: scene, box, frame, hidden (a set of engine names), path, trails, velocity, force, magnify, aim. isPicture:
-/// true for a small picture without rulers.
+/// view: scene, box, frame, hidden (a set of engine names), path, trails, the kinds of ARROWS, magnify, aim, tools,
+/// pointer. isPicture: true for a small picture without rulers.
 function drawStage(canvas, view) {
     const {clientWidth: width, clientHeight: height} = canvas;
     if (width === 0 || height === 0) return;
@@ -217,7 +237,10 @@ function drawStage(canvas, view) {
     }
     context.setLineDash([]);
     if (view.isPicture) return;
+    drawMomentumSum(context, camera, view);
     drawRulers(context, camera, theme);
     drawScaleBar(context, camera, theme);
     drawArrowKey(context, camera, view);
+    drawTools(context, camera, view);
+    drawReadout(context, camera, view);
 }

@@ -15,6 +15,7 @@
 #include <compare/scene/bench.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
+#include <compare/scene/schema/schema.h>
 #include <compare/view/engine_cards.h>
 #include <compare/view/result_view.h>
 #include <compare/view/scene_view.h>
@@ -177,6 +178,11 @@ PLUMB_EXPORT(reset) double resetScene() {
 /// Says the open scene as JSON, with all fields if so.
 PLUMB_EXPORT(exported) double exported(std::uint32_t everything) {
     return tried([=] { text = toJson(open().scene(), everything ? Defaults::Written : Defaults::LeftOut); });
+}
+
+/// Says the JSON Schema of scenes.
+PLUMB_EXPORT(schema) double schemaOfScenes() {
+    return tried([] { text = sceneSchema(); });
 }
 
 /// Begins to run the open scene in the engines that are given, with commas between; in all if none is given. Says

@@ -56,6 +56,7 @@ class Comparison {
         return new Float64Array(this.exports.memory.buffer, this.exports.numbersAt(), count);
     }
 
+    schema() { return this.ask("schema"); }
     list() { return this.ask("list"); }
     open(name) { return this.ask("open", name); }
     read(json) { return this.ask("read", json); }

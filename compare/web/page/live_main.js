@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// What happens when the page opens, and when its address changes?
+
+/// The module is in the page itself, or lies beside it.
+async function moduleBytes() {
+    const inside = byId("module").textContent;
+    if (inside) return bytesOf(inside);
+    const response = await fetch("live.wasm");
+    if (!response.ok) throw new Error(`live.wasm: ${response.status}`);
+    return new Uint8Array(await response.arrayBuffer());
+}
+
+function bytesOf(base64) {
+    return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+}
+
+function showView(name) {
+    document.body.dataset.view = name;
+    byId("overview").hidden = name !== "overview";
+    byId("scene").hidden = name !== "scene";
+}
+
+/// For the small pictures: a short run of the scene, copied out of the module.
+function pictured(comparison, scene) {
+    const runs = new Runs(comparison);
+    runs.open(scene.name);
+    runs.start([]);
+    runs.advance(60);
+    Object.assign(scene, runs.scene);
+    scene.ticks = scene.ticks.slice(0, runs.tick + 1);
+    scene.times = scene.times.slice(0, runs.tick + 1);
+    for (const engine of scene.engines) delete engine.pushesAt;
+}
+
+/// Called by the pictures: see data.js.
+let readyScene = async () => {};
+
+function markInList(name, scenes) {
+    for (const link of byId("scene-list-items").querySelectorAll("a")) {
+        const isHere = link.getAttribute("href") === sceneAddress({name});
+        link.toggleAttribute("aria-current", isHere);
+        if (isHere) {
+            link.setAttribute("aria-current", "page");
+            link.scrollIntoView({block: "nearest"});
+        }
+    }
+    const at = scenes.findIndex((scene) => scene.name === name);
+    byId("previous-scene").href = sceneAddress(scenes[(at + scenes.length - 1) % scenes.length]);
+    byId("next-scene").href = sceneAddress(scenes[(at + 1) % scenes.length]);
+}
+
+async function openAddress(live, list) {
+    const wanted = readAddress();
+    const json = wanted.packed ? await unpackedJson(wanted.packed) : null;
+    const isKnown = list.scenes.some(({name}) => name === wanted.name);
+    if (!json && !isKnown) {
+        live.close();
+        document.title = "Plumb live";
+        showView("overview");
+        return;
+    }
+    showView("scene");
+    try {
+        live.open({...wanted, json});
+    } catch (error) {
+        byId("refused").textContent = error.message;
+        return;
+    }
+    document.title = `${titleText(live.runs.data)} – Plumb live`;
+    markInList(wanted.name, list.scenes);
+    scrollTo(0, 0);
+    const speed = SPEEDS.some(([choice]) => choice === wanted.speed) ? wanted.speed : 1;
+    live.player.setSpeed(speed);
+    live.page.showSpeed(speed);
+    live.player.seek(wanted.time);
+    if (wanted.play) live.player.play();
+}
+
+async function openLive() {
+    const bytes = await moduleBytes();
+    const comparison = await Comparison.load(bytes);
+    const list = comparison.list();
+    takeEngines([...list.engines, KEPT_LOOK]);
+    // A picture is drawn only while no scene is open: the module has one scene at a time.
+    readyScene = async (scene) => {
+        if (!scene.running && document.body.dataset.view === "overview") pictured(comparison, scene);
+    };
+    const live = new LivePage(comparison, list);
+    live.bytes = bytes;
+    fillMenu(list, new Pictures());
+    const opened = byId("opened").textContent;
+    if (opened && !location.hash) openJson(live, JSON.parse(opened));
+    else await openAddress(live, list);
+    addEventListener("hashchange", () => openAddress(live, list));
+    document.body.dataset.ready = "yes";
+    globalThis.livePage = live;
+}
+
+openLive().catch((error) => {
+    byId("loading").textContent = `The page could not start: ${error.message}`;
+});

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// How does a person change a scene? By sliders with number boxes: the scene's own, and those of the body that is clicked.
+
+/// What a field holds, by its path: as set_field.h reads it. json: the scene with all its fields.
+function valueAt(json, path) {
+    let value = json;
+    const names = path.split(".");
+    for (let i = 0; i < names.length; ++i) {
+        if (value === null || value === undefined) return undefined;
+        const inList = Array.isArray(value) && value.find((each) => each?.name === names[i]);
+        const next = inList || value[names[i]];
+        const isOfShapes = next === undefined && Array.isArray(value.shapes);
+        value = isOfShapes ? materialOrShape(value.shapes[0], names[i]) : next;
+    }
+    return value;
+}
+
+function materialOrShape(shape, name) {
+    return shape?.[name] ?? shape?.material?.[name];
+}
+
+/// How the number on a slider is made of the field's value, and the text that sets it.
+const AS = {
+    "": {of: (value) => value, text: (x) => String(x)},
+    down: {of: (value) => -value, text: (x) => String(-x)},
+    rate: {of: (value) => Math.round(1 / value), text: (x) => `1/${x}`},
+    x: {of: ([x]) => x, text: (x, [, y]) => `${x},${y}`},
+    y: {of: ([, y]) => y, text: (y, [x]) => `${x},${y}`},
+    speed: {of: (v) => Math.hypot(...v), text: (speed, v) => polar(speed, Math.atan2(v[1], v[0]))},
+    angle: {of: (v) => Math.atan2(v[1], v[0]) * 180 / Math.PI, text: (angle, v) => polar(Math.hypot(...v), angle * Math.PI / 180)},
+    degrees: {of: (value) => value * 180 / Math.PI, text: (x) => String(x * Math.PI / 180)},
+};
+
+function polar(size, angle) {
+    return [size * Math.cos(angle), size * Math.sin(angle)].map((part) => Number(part.toPrecision(15))).join(",");
+}
+
+/// A number for a person: no more digits than say something.
+function tidy(x) {
+    return Number.isFinite(x) ? Number(x.toPrecision(6)) : x;
+}
+
+/// The range of a slider for a field of which only bounds are known.
+function rangeFor(value, {minimum, exclusiveMinimum, maximum}, usual) {
+    const far = niceStep(Math.max(2 * Math.abs(value), usual));
+    const least = minimum ?? exclusiveMinimum ?? -far;
+    const to = maximum ?? far, step = niceStep((to - least) / 400);
+    return {from: exclusiveMinimum === undefined ? least : least + step, to, step};
+}
+
+/// What pages offer for every scene.
+function generalControls(data, engines) {
+    const controls = [{set: "gravity.1", as: "down", label: "Gravity", unit: "m/s²", from: 0, to: 25, step: 0.01, meaning: "downwards"},
+        {set: "dt", as: "rate", label: "Steps a second", unit: "1/s", from: 15, to: 480, step: 1, meaning: "for all engines"},
+        {set: "duration", as: "", label: "Duration", unit: "s", from: 0.5, to: Math.max(10, niceStep(data.duration)), step: 0.5, meaning: "of the run"}];
+    for (const {name, label} of engines.filter(({name}) => ["plumb", "box2d-3"].includes(name))) {
+        controls.push({set: `${name}:solver.subSteps`, as: "", label: `Sub-steps of ${label}`, unit: "", from: 1, to: 16, step: 1,
+            otherwise: 4, meaning: "how often a step is divided"});
+    }
+    return controls;
+}
+
+/// The numbers of a schema's object that a slider may change, as controls.
+function numbersOf(schema, definition, path, value, usual) {
+    return Object.entries(schema.$defs[definition].properties).flatMap(([name, field]) => {
+        const held = value?.[name];
+        const control = {set: `${path}.${name}`, unit: field.unit === "-" ? "" : field.unit ?? "", meaning: field.description ?? ""};
+        const label = name.replace(/([A-Z])/g, (letter) => ` ${letter.toLowerCase()}`);
+        if (name === "velocity" && Array.isArray(held)) {
+            return [{...control, as: "speed", label: "speed", ...rangeFor(Math.hypot(...held), {minimum: 0}, 5)},
+                {...control, as: "angle", label: "direction", unit: "°", from: -180, to: 180, step: 1}];
+        }
+        if (field.type === "number" && field.unit === "rad") {
+            return [{...control, as: "degrees", label, unit: "°", from: -180, to: 180, step: 1}];
+        }
+        if (field.type === "number" && field.unit) return [{...control, as: "", label, ...rangeFor(held, field, usual)}];
+        if (field.type !== "array" || field.items?.type !== "number" || !Array.isArray(held) || held.length !== 2) return [];
+        return ["x", "y"].map((as, i) => ({...control, as, label: `${label} ${as}`, ...rangeFor(held[i], {}, usual)}));
+    });
+}
+
+/// Those of a body: its own, its material's, and its first shape's.
+function bodyControls(schema, json, name) {
+    const body = json.bodies.find((each) => each.name === name), path = `bodies.${name}`;
+    const seldom = ["appears", "renewed", "gravityScale", "linearDamping", "angularDamping"];
+    const controls = numbersOf(schema, "SceneBody", path, body, 5).filter(({set}) => !seldom.includes(set.split(".").at(-1)));
+    const [shape] = body.shapes;
+    if (!shape) return controls;
+    const kind = ["circle", "capsule", "box"].find((each) => shape[each]);
+    if (kind === "circle") controls.push(...numbersOf(schema, "Circle", `${path}.shapes.0.circle`, shape.circle, 1)
+        .filter(({set}) => set.endsWith("radius")));
+    return [...controls, ...numbersOf(schema, "Material", path, shape.material, 1)
+        .filter(({set}) => !/surfaceSpeed|rollingResistance/.test(set))];
+}
+
+class Panel {
+    /// change(path, text, isOver): a field is to be set; isOver: the person has let the slider go.
+    constructor(host, change) {
+        Object.assign(this, {host, change, rows: []});
+    }
+
+    /// groups: {title, controls, open}; json: the scene.
+    show(groups, json) {
+        const openBefore = new Set([...this.host.querySelectorAll("details[open]")].map(({dataset}) => dataset.title));
+        const known = this.host.childElementCount > 0;
+        this.rows = [];
+        this.host.replaceChildren(...groups.filter(({controls}) => controls.length > 0).map(({title, controls, open}) => {
+            const rows = controls.map((control) => this.row(control)).filter(Boolean);
+            const isOpen = known && !open ? openBefore.has(title) : open !== false;
+            return element("details", {"data-title": title, open: isOpen}, element("summary", {}, title), ...rows);
+        }));
+        this.update(json);
+    }
+
+    row(control) {
+        const id = `control-${this.rows.length}`;
+        const slider = element("input", {type: "range", id, min: control.from, max: control.to, step: control.step,
+            title: control.meaning});
+        const number = element("input", {type: "number", step: "any", "aria-label": `${control.label} [${control.unit}]`});
+        const row = {control, slider, number};
+        slider.addEventListener("input", () => this.turn(row, slider.valueAsNumber, false));
+        slider.addEventListener("change", () => this.turn(row, slider.valueAsNumber, true));
+        number.addEventListener("change", () => this.turn(row, number.valueAsNumber, true));
+        this.rows.push(row);
+        return element("div", {class: "control", "data-set": control.set, "data-as": control.as}, element("label", {for: id}, control.label),
+            slider, number, element("span", {class: "unit"}, control.unit));
+    }
+
+    /// Shows what the scene holds now; not in a box in which a person writes.
+    update(json) {
+        this.json = json;
+        for (const row of this.rows) {
+            const {control, slider, number} = row;
+            const held = this.held(control);
+            const known = held !== undefined && held !== null && !(typeof held === "object" && !Array.isArray(held));
+            slider.parentElement.hidden = !known;
+            if (!known) continue;
+            const x = tidy(AS[control.as].of(held));
+            if (x > slider.max) slider.max = niceStep(x);
+            if (x < slider.min) slider.min = x;
+            slider.value = x;
+            slider.setAttribute("aria-valuetext", `${x} ${control.unit}`);
+            if (document.activeElement !== number || !number.matches(":invalid")) number.value = x;
+        }
+    }
+
+    held({set, otherwise}) {
+        const [engine, path] = set.split(":");
+        if (path === undefined) return valueAt(this.json, set);
+        const text = this.json.engines?.[engine]?.[path];
+        return text === undefined ? otherwise : Number(text);
+    }
+
+    turn(row, x, isOver) {
+        if (!Number.isFinite(x)) return;
+        const {control} = row;
+        row.slider.value = x;
+        row.number.value = tidy(x);
+        this.change(control.set, AS[control.as].text(x, this.held(control)), isOver);
+    }
+}

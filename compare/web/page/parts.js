@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// Where do the parts that only a live page has stand among those that all pages share?
+
+byId("stage-column").before(byId("live-parts").content.cloneNode(true));
+byId("files").after(element("p", {class: "tools", id: "gifts"}));
+byId("gifts").append(byId("live-gifts").content.cloneNode(true));
+byId("partings").after(element("p", {class: "tools"},
+    element("button", {type: "button", id: "look-closer", title: "Runs each engine with smaller steps, too"}, "Why do they part?")));
