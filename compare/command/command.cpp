@@ -18,11 +18,11 @@
 #include <compare/command/page_files.h>
 #include <compare/command/scene_choice.h>
 #include <compare/command/scene_list.h>
-#include <compare/view/verdict_json.h>
 #include <compare/command/verdict_table.h>
 #include <compare/report/report.h>
 #include <compare/scene/json.h>
 #include <compare/scene/schema/schema.h>
+#include <compare/view/verdict_json.h>
 
 namespace plumb::compare {
 namespace {

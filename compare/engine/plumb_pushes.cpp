@@ -26,9 +26,10 @@ void addContacts(const PlumbWorld& made, const Places& places, std::size_t body,
         const double side = isB ? 1 : -1;
         const Vec2 along(-contact.normal.y(), contact.normal.x());
         for (const ContactPoint& point : contact.points) {
-            pushes.push_back({Cause::Normal, body, other->second, point.position,
-                              side * point.normalForce * contact.normal});
-            pushes.push_back({Cause::Friction, body, other->second, point.position, side * point.frictionForce * along});
+            pushes.push_back(
+                {Cause::Normal, body, other->second, point.position, side * point.normalForce * contact.normal});
+            pushes.push_back(
+                {Cause::Friction, body, other->second, point.position, side * point.frictionForce * along});
         }
     }
 }

@@ -96,6 +96,7 @@ std::vector<Scene> builtinScenes() {
     for (Scene& scene : scenes) {
         giveTitle(scene);
         scene.answer = answerTo(scene.name);
+        scene.controls = controlsOf(scene.name);
     }
     return scenes;
 }

@@ -104,6 +104,16 @@ void fields(auto& visit, OrConst<SceneField> auto& x) {
     visit({"body", "", Allowed::any, "of a magnet: the name of the body that carries it"}, x.body);
     fields(visit, x.def);
 }
+void fields(auto& visit, OrConst<SceneControl> auto& x) {
+    visit(needed({"label", "", Allowed::any, "what it is, for a reader"}), x.label);
+    visit(needed({"set", "", Allowed::any, "the paths of the fields that it sets, as check --set has them"}), x.set);
+    visit({"as", "", Allowed::any, "as which number the field is shown"}, x.as);
+    visit({"about", "m", Allowed::finite, "from where a vector is measured"}, x.about);
+    visit({"from", "the unit", Allowed::finite, "the least that it offers"}, x.from);
+    visit({"to", "the unit", Allowed::finite, "the most that it offers"}, x.to);
+    visit({"step", "the unit", Allowed::positive, "from one value to the next"}, x.step);
+    visit({"unit", "", Allowed::any, "as it is printed"}, x.unit);
+}
 void fields(auto& visit, OrConst<Scene> auto& x) {
     visit(needed({"name", "", Allowed::any, "of small letters, digits and underscores"}), x.name);
     visit({"title", "", Allowed::any, "as a reader sees it; made of the name where there is none"}, x.title);
@@ -123,6 +133,7 @@ void fields(auto& visit, OrConst<Scene> auto& x) {
     visit({"closedForm", "", Allowed::any, "what the textbook says the bodies do"}, x.closedForm);
     visit({"probes", "", Allowed::any, "what is watched beside the positions"}, x.probes);
     visit({"checks", "", Allowed::any, "what must hold, and for which engine"}, x.checks);
+    visit({"controls", "", Allowed::any, "what a page offers to change"}, x.controls);
     visit({"engines", "", Allowed::any,
            "by engine and path, what this engine alone is given; a path with \"solver.\" is a number of its own"},
           x.engines);

@@ -107,6 +107,31 @@ struct Probe {
     Watch watch = Watch::Every;  ///< which values count
 };
 
+/// As which number is a field shown to a person? A vector as one of its coordinates, or by its length or direction.
+enum class ShownAs {
+    Number,       ///< as it is
+    Downwards,    ///< with the other sign
+    PerSecond,    ///< 1 over it: how many in a second
+    X,            ///< of a vector
+    Y,            ///< of a vector
+    Size,         ///< length of a vector, measured from SceneControl::about
+    Direction,    ///< of a vector, from the x axis [degrees]
+    Hanging,      ///< of a vector measured from SceneControl::about: from straight down [degrees]
+    Degrees,      ///< of an angle [degrees]
+    DegreesDown,  ///< with the other sign [degrees]
+};
+
+/// A number of the scene that a page offers to a person to change.
+struct SceneControl {
+    std::string label{};             ///< what it is
+    std::vector<std::string> set{};  ///< the paths that get the value, as in set_field.h; the first one is shown
+    ShownAs as = ShownAs::Number;
+    Vec2 about{0, 0};         ///< from where a vector is measured
+    double from = 0, to = 1;  ///< as the person sees it; from < to
+    double step = 0.01;       ///< > 0
+    std::string unit{};       ///< "m/s"
+};
+
 /// Values, as JSON, that are for one engine alone: by engine, and by the path of a field as in set_field.h. A path that
 /// starts with "solver." is a number of the engine itself.
 using EngineSettings = std::map<std::string, std::map<std::string, std::string>>;
@@ -129,6 +154,7 @@ struct Scene {
     std::optional<ClosedForm> closedForm{};
     std::vector<Probe> probes{};
     std::vector<Check> checks{};
+    std::vector<SceneControl> controls{};
     EngineSettings engines{};
 };
 

@@ -75,9 +75,9 @@ json engineData(const EngineResult& result) {
 
 json resultView(const SceneResult& result) {
     const Scene& scene = result.scene;
-    json data = {{"changed", result.changed},      {"pass", result.verdict},   {"checks", scene.checks.size()},
-                 {"limits", limitData(scene)},     {"notes", notesData(result)}, {"partings", json::array()},
-                 {"outcomes", json::array()},      {"engines", json::array()}};
+    json data = {{"changed", result.changed},  {"pass", result.verdict},     {"checks", scene.checks.size()},
+                 {"limits", limitData(scene)}, {"notes", notesData(result)}, {"partings", json::array()},
+                 {"outcomes", json::array()},  {"engines", json::array()}};
     for (const Parting& parting : result.partings) data["partings"].push_back(partingData(scene, parting));
     for (const Outcome& outcome : result.outcomes) data["outcomes"].push_back(outcomeData(outcome));
     for (const EngineResult& engine : result.engines)

@@ -64,7 +64,8 @@ private:
         const auto on = [&](std::size_t body, const Vec2& anchor, double side) {
             const b2BodyId id = stepped_.bodies[body];
             if (!canMove(id)) return;
-            pushes_.push_back({Cause::Joint, body, joint, vec(b2Body_GetWorldPoint(id, toBox2d3(anchor))), side * force});
+            pushes_.push_back(
+                {Cause::Joint, body, joint, vec(b2Body_GetWorldPoint(id, toBox2d3(anchor))), side * force});
         };
         on(geometry.bodyB, geometry.localAnchorB, 1);
         if (geometry.bodyA != noBody) on(geometry.bodyA, geometry.localAnchorA, -1);

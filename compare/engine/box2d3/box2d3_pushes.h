@@ -13,8 +13,8 @@ namespace plumb::compare {
 
 /// A world after a step of dt [s].
 struct Stepped3 {
-    std::span<const b2BodyId> bodies;    ///< in the scene's order; null for one that is not there
-    std::span<const b2JointId> joints;   ///< the same
+    std::span<const b2BodyId> bodies;   ///< in the scene's order; null for one that is not there
+    std::span<const b2JointId> joints;  ///< the same
     std::span<const JointGeometry> geometries;
     double dt;
     int subSteps;

@@ -25,15 +25,21 @@ SceneBody wedge(double friction) {
     return {"incline", {.type = BodyType::Static, .shapes = {polygon(corners, {.friction = friction})}}};
 }
 
-/// A block of 1 kg at rest with its face on the slope. It is 1 m long and 0.5 m high, so that it does not tip.
+/// A block of 1 kg at rest with its face on the slope. It is 1 m long and 0.5 m high, so that it does not tip. The
+/// slope is a plank with its origin at the block's: so both may be turned alike.
 Scene slidingBlock(double friction) {
-    const Vec2 halfSize(0.5, 0.25);
+    const Vec2 halfSize(0.5, 0.25), halfPlank(slopeLength / 2, 0.15);
     const Vec2 start = onSlope(1, halfSize.y());
+    const Vec2 middle(halfPlank.x() - 1, -halfSize.y() - halfPlank.y());  // of the plank, from the block
+    const SceneBody plank{"incline",
+                          {.type = BodyType::Static,
+                           .position = start,
+                           .angle = -slope,
+                           .shapes = {{.shape = boxPolygon(halfPlank, middle), .material = {.friction = friction}}}}};
     const Material material{.density = 1 / (4 * halfSize.x() * halfSize.y()), .friction = friction};
     return {
         .duration = 2,
-        .bodies = {wedge(friction),
-                   {"block", {.position = start, .angle = -slope, .shapes = {box(halfSize, material)}}}},
+        .bodies = {plank, {"block", {.position = start, .angle = -slope, .shapes = {box(halfSize, material)}}}},
         .closedForm = ClosedForm{.formula = "a = g (sin t - mu cos t) where tan t > mu, else 0",
                                  .source = "textbook: Coulomb's law of friction",
                                  .bodies = {FreeMotion{"block"}}},

@@ -164,6 +164,10 @@ Scene elasticGas();
 /// The answer to a scene's question, by the scene's name. It has queries between braces: see scene/answer.h.
 std::string answerTo(const std::string& scene);
 
+// controls.cpp
+/// What a page offers to change in a scene, by its name; nothing for most of them.
+std::vector<SceneControl> controlsOf(const std::string& scene);
+
 // titles.cpp
 /// Gives a scene its title and group by its name. A scene that is not known here keeps its own.
 void giveTitle(Scene& scene);

@@ -10,6 +10,8 @@ namespace plumb::compare {
 
 inline constexpr std::array<const char*, 3> sideTags{"both", "left", "right"};
 inline constexpr std::array<const char*, 3> watchTags{"every", "largest", "last"};
+inline constexpr std::array<const char*, 10> shownAsTags{"number", "downwards", "perSecond", "x",       "y",
+                                                         "size",   "direction", "hanging",   "degrees", "degreesDown"};
 inline constexpr std::array<const char*, 4> directionTags{"up", "left", "down", "right"};
 inline constexpr std::array<const char*, 3> easingTags{"none", "acceleration", "smoothStep"};
 inline constexpr std::array<const char*, 3> repeatTags{"once", "loop", "backAndForth"};
@@ -32,6 +34,9 @@ constexpr std::span<const char* const> tagsOf(StandIn) {
 }
 constexpr std::span<const char* const> tagsOf(Side) {
     return sideTags;
+}
+constexpr std::span<const char* const> tagsOf(ShownAs) {
+    return shownAsTags;
 }
 constexpr std::span<const char* const> tagsOf(Watch) {
     return watchTags;

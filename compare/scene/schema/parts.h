@@ -117,6 +117,8 @@ template <>
 inline constexpr PartName partOf<ApartProbe>{"ApartProbe",
                                              "by how much one body is beyond another along a direction [m]"};
 template <>
+inline constexpr PartName partOf<SceneControl>{"SceneControl", "a number that a page offers to a person to change"};
+template <>
 inline constexpr PartName partOf<Check>{"Check", "one thing that must hold"};
 template <>
 inline constexpr PartName partOf<ExactCheck>{

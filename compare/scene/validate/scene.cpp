@@ -196,6 +196,12 @@ void validateCheck(const Check& check, const Scene& scene, const std::string& fi
     }
 }
 
+void validateControl(const SceneControl& control, const std::string& field) {
+    requireFields(control, field);
+    if (control.from >= control.to)
+        refuse(field + ".to", toText(control.to) + " is not above from, " + toText(control.from));
+}
+
 }  // namespace
 
 void validate(const Scene& scene) {
@@ -217,6 +223,7 @@ void validate(const Scene& scene) {
     if (scene.closedForm) validateClosedForm(*scene.closedForm, scene);
     (void)answerParts(scene);
     for (std::size_t i = 0; i < scene.checks.size(); ++i) validateCheck(scene.checks[i], scene, at("checks", i));
+    for (std::size_t i = 0; i < scene.controls.size(); ++i) validateControl(scene.controls[i], at("controls", i));
 }
 
 }  // namespace plumb::compare

@@ -9,8 +9,10 @@ function takesSpace(target) {
     if (target.tagName === "INPUT") return target.type !== "range";
     return ["SELECT", "BUTTON", "A"].includes(target.tagName);
 }
-function takesArrows(target) {
-    return target.tagName === "SELECT" || (target.tagName === "INPUT" && target.type === "radio");
+/// True for a control that uses arrows, digits and signs itself; the one of time leaves them to the page.
+function takesOthers(target) {
+    if (target.tagName === "INPUT") return target.type !== "checkbox" && target.id !== "scrub";
+    return target.tagName === "SELECT";
 }
 
 /// Space plays and pauses, the arrows step, Home and End go to the ends, +, - and 0 zoom. A focused control keeps its
@@ -29,7 +31,7 @@ function bindKeys(player, aim, isOpen) {
             0: () => aim.fit(),
         };
         const action = actions[event.key];
-        const taken = event.key === " " ? takesSpace(event.target) : takesArrows(event.target);
+        const taken = event.key === " " ? takesSpace(event.target) : takesOthers(event.target);
         if (!action || taken) return;
         event.preventDefault();
         action();

@@ -26,16 +26,25 @@ function stateBetween(scene, engine, frame, body, s) {
     return {time, x: part("x", 0), y: part("y", 1), velocity: [0, 1].map((i) => a.velocity[i] + s * (b.velocity[i] - a.velocity[i]))};
 }
 
-/// Where in a step a body hits: where its flight before and its flight after meet, along the change of velocity. The
-/// share of the step, or null where nothing hits.
+/// The change of a body's velocity in the step after a frame, beside what gravity does; null if it is not known [m/s].
+function jumpAfter(scene, engine, frame, body) {
+    if (frame < 0 || frame + 1 >= scene.times.length) return null;
+    const [before, after] = [frame, frame + 1].map((each) => velocityOf(scene, engine, each, body));
+    const h = scene.times[frame + 1] - scene.times[frame];
+    return before && after && after.map((v, i) => v - before[i] - scene.gravity[i] * h);
+}
+
+/// Where in a step a body hits: its velocity jumps there, and not in the steps beside it. Its flight before and its
+/// flight after meet then, along the jump. The share of the step, or null where nothing hits.
 function impactShare(scene, engine, frame, body) {
+    const jump = jumpAfter(scene, engine, frame, body);
+    const beside = [frame - 1, frame + 1].map((each) => jumpAfter(scene, engine, each, body));
+    const size = jump && Math.hypot(...jump);
+    if (!jump || size < 0.05 || beside.some((other) => other && 5 * Math.hypot(...other) > size)) return null;
     const [a, b] = [frame, frame + 1].map((each) => poseOf(scene, engine, each, body));
     const [va, vb] = [frame, frame + 1].map((each) => velocityOf(scene, engine, each, body));
-    if (!a || !b || !va || !vb) return null;
+    if (!a || !b || isAround(scene, a, b)) return null;
     const h = scene.times[frame + 1] - scene.times[frame];
-    const jump = vb.map((v, i) => v - va[i] - scene.gravity[i] * h);
-    const size = Math.hypot(...jump);
-    if (size < 0.2 || size < 4 * h * Math.hypot(...scene.gravity)) return null;
     const along = ([x, y]) => (x * jump[0] + y * jump[1]) / size;
     const g = along(scene.gravity), way = along([b.x - a.x, b.y - a.y]);
     const s = (way - along(vb) * h + g * h * h / 2) / (along(va) - along(vb) + g * h) / h;

@@ -72,7 +72,8 @@ Scene sceneNamed(const std::string& name) {
 void sayScene() {
     const Scene& scene = open().scene();
     json data = sceneView(scene);
-    data.update({{"dt", scene.dt}, {"duration", scene.duration}, {"steps", stepCount(scene)}, {"changed", live->changed()}});
+    data.update(
+        {{"dt", scene.dt}, {"duration", scene.duration}, {"steps", stepCount(scene)}, {"changed", live->changed()}});
     say(data);
 }
 

@@ -47,11 +47,11 @@ function bindGifts(live) {
 function openJson(live, json) {
     try {
         live.open({name: null, json});
-        byId("refused").textContent = "";
+        byId("refused").textContent = byId("file-refused").textContent = "";
         showView("scene");
         document.title = `${titleText(live.runs.data)} – Plumb live`;
         live.settled();
     } catch (error) {
-        byId("refused").textContent = error.message;
+        byId("refused").textContent = byId("file-refused").textContent = error.message;
     }
 }

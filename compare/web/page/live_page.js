@@ -11,7 +11,7 @@ class LivePage {
         this.list = list;
         this.runs = new Runs(comparison);
         this.page = new ScenePage(() => this.settled(), (body, x, y) => this.grab(body, x, y));
-        this.panel = new Panel(byId("controls"), (path, text, isOver) => this.change(path, text, isOver));
+        this.panel = new Panel(byId("controls"), (paths, text, isOver) => this.change(paths, text, isOver));
         this.schema = null;
         this.hand = null;
         this.picked = null;
@@ -40,7 +40,10 @@ class LivePage {
         this.wanted = wanted.length > 0 ? wanted : this.runs.isCrowd ? [subjectName(this.list)] : [];
         this.begin();
         this.page.open(this.scene);
-        this.isWhole = true;
+        // Where a scene offers nothing of its own, its first body's numbers may be turned at once.
+        if ((this.exported().controls ?? []).length === 0 && !this.runs.isCrowd)
+            this.picked = this.scene.bodies.findIndex(({type}) => type === "dynamic");
+        if (this.picked < 0) this.picked = null;
         this.showPanel();
         this.go();
     }
@@ -71,7 +74,8 @@ class LivePage {
         player.time = 0;
         player.mark = null;
         byId("scrub").max = scene.ticks.length - 1;
-        if (this.isWhole) page.view.box.addBox(sceneBox(scene));
+        // The picture keeps still under a hand.
+        if (!this.isPlacing) page.view.box.addBox(sceneBox(scene));
         page.showTime();
         this.go();
     }
@@ -101,7 +105,7 @@ class LivePage {
         const {runs, page, scene} = this;
         if (!scene || !runs.isOver) return;
         if (!runs.held && (!runs.isCrowd || inDetail)) runs.measure(inDetail);
-        if (this.isWhole && page.view.aim.zoom === 1 && page.view.aim.follow === null) page.view.box = sceneBox(scene);
+        if (!this.isPlacing && page.view.aim.zoom === 1 && page.view.aim.follow === null) page.view.box = sceneBox(scene);
         page.show(scene);
         byId("held").hidden = !runs.held;
         byId("look-closer").hidden = inDetail || runs.held;
@@ -112,11 +116,13 @@ class LivePage {
 
     // ---- changes
 
-    change(path, text, isOver) {
+    change(paths, text, isOver) {
         try {
-            this.runs.set(path, text);
-            this.changed.delete(path);
-            this.changed.set(path, text);
+            for (const path of paths) {
+                this.runs.set(path, text);
+                this.changed.delete(path);
+                this.changed.set(path, text);
+            }
             byId("refused").textContent = "";
             this.again();
         } catch (error) {
@@ -168,20 +174,21 @@ class LivePage {
 
     showPanel() {
         const json = this.exported(), {data} = this.runs;
-        const groups = [{title: "This scene", controls: data.controls ?? []}];
+        const own = json.controls ?? [];
+        const groups = [{title: "This scene", controls: own}];
         if (this.picked !== null) {
             this.schema ??= this.comparison.schema();
             groups.push({title: `The body ${data.bodies[this.picked].name}`, open: true,
                 controls: bodyControls(this.schema, json, data.bodies[this.picked].name)});
         }
         groups.push({title: "The world", controls: generalControls(data, this.list.engines),
-            open: (data.controls ?? []).length === 0 ? true : false});
-        this.panel.show(groups, json);
+            open: own.length === 0});
+        this.panel.show(groups, json, data.bodies);
         byId("pick-hint").hidden = this.picked !== null;
     }
 
     updatePanel() {
-        this.panel.update(this.exported());
+        this.panel.update(this.exported(), this.runs.data.bodies);
     }
 
     pick(body) {
@@ -210,6 +217,7 @@ class LivePage {
             move: (toX, toY) => {
                 this.hand = {body, grip: [c * dx + s * dy, c * dy - s * dx], target: [toX, toY]};
                 clearTimeout(this.quiet);
+                document.body.classList.add("pending");
                 this.go();
             },
             end: () => {
@@ -239,9 +247,15 @@ class LivePage {
         const unit = 10 ** Math.floor(Math.log10(1 / page.view.camera.scale));
         const rounded = (value) => Number((Math.round(value / unit) * unit).toPrecision(12));
         const path = `bodies.${this.scene.bodies[body].name}.position`;
+        this.isPlacing = true;
         return {
-            move: (toX, toY) => this.change(path, `${rounded(drawn.x + toX - x)},${rounded(drawn.y + toY - y)}`, false),
-            end: () => this.changeIsOver(),
+            move: (toX, toY) => this.change([path], `${rounded(drawn.x + toX - x)},${rounded(drawn.y + toY - y)}`, false),
+            end: () => {
+                this.isPlacing = false;
+                page.view.box.addBox(sceneBox(this.scene));
+                this.changeIsOver();
+                this.go();
+            },
         };
     }
 

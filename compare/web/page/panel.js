@@ -19,20 +19,40 @@ function materialOrShape(shape, name) {
     return shape?.[name] ?? shape?.material?.[name];
 }
 
-/// How the number on a slider is made of the field's value, and the text that sets it.
+const DEGREE = Math.PI / 180;
+
+/// How the number on a slider is made of the field's value, and the text that sets it: see ShownAs in scene.h.
 const AS = {
-    "": {of: (value) => value, text: (x) => String(x)},
-    down: {of: (value) => -value, text: (x) => String(-x)},
-    rate: {of: (value) => Math.round(1 / value), text: (x) => `1/${x}`},
+    number: {of: (value) => value, text: (x) => String(x)},
+    downwards: {of: (value) => -value, text: (x) => String(-x)},
+    perSecond: {of: (value) => Math.round(1 / value), text: (x) => `1/${x}`},
     x: {of: ([x]) => x, text: (x, [, y]) => `${x},${y}`},
     y: {of: ([, y]) => y, text: (y, [x]) => `${x},${y}`},
-    speed: {of: (v) => Math.hypot(...v), text: (speed, v) => polar(speed, Math.atan2(v[1], v[0]))},
-    angle: {of: (v) => Math.atan2(v[1], v[0]) * 180 / Math.PI, text: (angle, v) => polar(Math.hypot(...v), angle * Math.PI / 180)},
-    degrees: {of: (value) => value * 180 / Math.PI, text: (x) => String(x * Math.PI / 180)},
+    size: {of: (v, about) => Math.hypot(...from(v, about)), text: (size, v, about) => polar(size, angleOf(v, about), about)},
+    direction: {of: (v, about) => angleOf(v, about) / DEGREE,
+        text: (x, v, about) => polar(Math.hypot(...from(v, about)), x * DEGREE, about)},
+    hanging: {of: (v, about) => wound(angleOf(v, about) / DEGREE + 90),
+        text: (x, v, about) => polar(Math.hypot(...from(v, about)), (x - 90) * DEGREE, about)},
+    degrees: {of: (value) => value / DEGREE, text: (x) => String(x * DEGREE)},
+    degreesDown: {of: (value) => -value / DEGREE, text: (x) => String(-x * DEGREE)},
 };
 
-function polar(size, angle) {
-    return [size * Math.cos(angle), size * Math.sin(angle)].map((part) => Number(part.toPrecision(15))).join(",");
+function from([x, y], [x0, y0] = [0, 0]) {
+    return [x - x0, y - y0];
+}
+
+function angleOf(v, about) {
+    const [x, y] = from(v, about);
+    return Math.atan2(y, x);
+}
+
+/// Into -180 to 180.
+function wound(degrees) {
+    return ((degrees + 180) % 360 + 360) % 360 - 180;
+}
+
+function polar(size, angle, [x0, y0] = [0, 0]) {
+    return [x0 + size * Math.cos(angle), y0 + size * Math.sin(angle)].map((part) => Number(part.toPrecision(15))).join(",");
 }
 
 /// A number for a person: no more digits than say something.
@@ -50,11 +70,11 @@ function rangeFor(value, {minimum, exclusiveMinimum, maximum}, usual) {
 
 /// What pages offer for every scene.
 function generalControls(data, engines) {
-    const controls = [{set: "gravity.1", as: "down", label: "Gravity", unit: "m/s²", from: 0, to: 25, step: 0.01, meaning: "downwards"},
-        {set: "dt", as: "rate", label: "Steps a second", unit: "1/s", from: 15, to: 480, step: 1, meaning: "for all engines"},
-        {set: "duration", as: "", label: "Duration", unit: "s", from: 0.5, to: Math.max(10, niceStep(data.duration)), step: 0.5, meaning: "of the run"}];
+    const controls = [{set: ["gravity.1"], as: "downwards", label: "Gravity", unit: "m/s²", from: 0, to: 25, step: 0.01, meaning: "downwards"},
+        {set: ["dt"], as: "perSecond", label: "Steps a second", unit: "1/s", from: 15, to: 480, step: 1, meaning: "for all engines"},
+        {set: ["duration"], as: "number", label: "Duration", unit: "s", from: 0.5, to: Math.max(10, niceStep(data.duration)), step: 0.5, meaning: "of the run"}];
     for (const {name, label} of engines.filter(({name}) => ["plumb", "box2d-3"].includes(name))) {
-        controls.push({set: `${name}:solver.subSteps`, as: "", label: `Sub-steps of ${label}`, unit: "", from: 1, to: 16, step: 1,
+        controls.push({set: [`${name}:solver.subSteps`], as: "number", label: `Sub-steps of ${label}`, unit: "", from: 1, to: 16, step: 1,
             otherwise: 4, meaning: "how often a step is divided"});
     }
     return controls;
@@ -64,16 +84,17 @@ function generalControls(data, engines) {
 function numbersOf(schema, definition, path, value, usual) {
     return Object.entries(schema.$defs[definition].properties).flatMap(([name, field]) => {
         const held = value?.[name];
-        const control = {set: `${path}.${name}`, unit: field.unit === "-" ? "" : field.unit ?? "", meaning: field.description ?? ""};
+        const control = {set: [`${path}.${name}`], unit: field.unit === "-" ? "" : field.unit ?? "", meaning: field.description ?? ""};
         const label = name.replace(/([A-Z])/g, (letter) => ` ${letter.toLowerCase()}`);
         if (name === "velocity" && Array.isArray(held)) {
-            return [{...control, as: "speed", label: "speed", ...rangeFor(Math.hypot(...held), {minimum: 0}, 5)},
-                {...control, as: "angle", label: "direction", unit: "°", from: -180, to: 180, step: 1}];
+            return [{...control, as: "size", label: "speed", ...rangeFor(Math.hypot(...held), {minimum: 0}, 5)},
+                {...control, as: "direction", label: "direction", unit: "°", from: -180, to: 180, step: 1}];
         }
+        if (name === "mass") return [{...control, as: "number", label, unit: "kg", from: 0.01, to: 20, step: 0.01, meaning: "of the whole body"}];
         if (field.type === "number" && field.unit === "rad") {
             return [{...control, as: "degrees", label, unit: "°", from: -180, to: 180, step: 1}];
         }
-        if (field.type === "number" && field.unit) return [{...control, as: "", label, ...rangeFor(held, field, usual)}];
+        if (field.type === "number" && field.unit) return [{...control, as: "number", label, ...rangeFor(held, field, usual)}];
         if (field.type !== "array" || field.items?.type !== "number" || !Array.isArray(held) || held.length !== 2) return [];
         return ["x", "y"].map((as, i) => ({...control, as, label: `${label} ${as}`, ...rangeFor(held[i], {}, usual)}));
     });
@@ -83,24 +104,24 @@ function numbersOf(schema, definition, path, value, usual) {
 function bodyControls(schema, json, name) {
     const body = json.bodies.find((each) => each.name === name), path = `bodies.${name}`;
     const seldom = ["appears", "renewed", "gravityScale", "linearDamping", "angularDamping"];
-    const controls = numbersOf(schema, "SceneBody", path, body, 5).filter(({set}) => !seldom.includes(set.split(".").at(-1)));
+    const controls = numbersOf(schema, "SceneBody", path, body, 5).filter(({set: [each]}) => !seldom.includes(each.split(".").at(-1)));
     const [shape] = body.shapes;
     if (!shape) return controls;
     const kind = ["circle", "capsule", "box"].find((each) => shape[each]);
     if (kind === "circle") controls.push(...numbersOf(schema, "Circle", `${path}.shapes.0.circle`, shape.circle, 1)
-        .filter(({set}) => set.endsWith("radius")));
+        .filter(({set: [each]}) => each.endsWith("radius")));
     return [...controls, ...numbersOf(schema, "Material", path, shape.material, 1)
-        .filter(({set}) => !/surfaceSpeed|rollingResistance/.test(set))];
+        .filter(({set: [each]}) => !/surfaceSpeed|rollingResistance/.test(each))];
 }
 
 class Panel {
-    /// change(path, text, isOver): a field is to be set; isOver: the person has let the slider go.
+    /// change(paths, text, isOver): fields are to be set; isOver: the person has let the slider go.
     constructor(host, change) {
         Object.assign(this, {host, change, rows: []});
     }
 
-    /// groups: {title, controls, open}; json: the scene.
-    show(groups, json) {
+    /// groups: {title, controls, open}; json: the scene; bodies: as the module says of them.
+    show(groups, json, bodies) {
         const openBefore = new Set([...this.host.querySelectorAll("details[open]")].map(({dataset}) => dataset.title));
         const known = this.host.childElementCount > 0;
         this.rows = [];
@@ -109,7 +130,7 @@ class Panel {
             const isOpen = known && !open ? openBefore.has(title) : open !== false;
             return element("details", {"data-title": title, open: isOpen}, element("summary", {}, title), ...rows);
         }));
-        this.update(json);
+        this.update(json, bodies);
     }
 
     row(control) {
@@ -122,20 +143,21 @@ class Panel {
         slider.addEventListener("change", () => this.turn(row, slider.valueAsNumber, true));
         number.addEventListener("change", () => this.turn(row, number.valueAsNumber, true));
         this.rows.push(row);
-        return element("div", {class: "control", "data-set": control.set, "data-as": control.as}, element("label", {for: id}, control.label),
+        return element("div", {class: "control", "data-set": control.set[0], "data-as": control.as}, element("label", {for: id}, control.label),
             slider, number, element("span", {class: "unit"}, control.unit));
     }
 
     /// Shows what the scene holds now; not in a box in which a person writes.
-    update(json) {
+    update(json, bodies) {
         this.json = json;
+        this.masses = new Map(bodies.map(({name, mass}) => [name, mass]));
         for (const row of this.rows) {
             const {control, slider, number} = row;
             const held = this.held(control);
             const known = held !== undefined && held !== null && !(typeof held === "object" && !Array.isArray(held));
             slider.parentElement.hidden = !known;
             if (!known) continue;
-            const x = tidy(AS[control.as].of(held));
+            const x = tidy(AS[control.as].of(held, control.about));
             if (x > slider.max) slider.max = niceStep(x);
             if (x < slider.min) slider.min = x;
             slider.value = x;
@@ -144,9 +166,12 @@ class Panel {
         }
     }
 
-    held({set, otherwise}) {
-        const [engine, path] = set.split(":");
-        if (path === undefined) return valueAt(this.json, set);
+    /// The mass of a body is that of its shapes where it is not given.
+    held({set: [first], otherwise}) {
+        const [engine, path] = first.split(":");
+        const [, body] = /^bodies\.(.+)\.mass$/.exec(first) ?? [];
+        if (body !== undefined) return this.masses.get(body);
+        if (path === undefined) return valueAt(this.json, first);
         const text = this.json.engines?.[engine]?.[path];
         return text === undefined ? otherwise : Number(text);
     }
@@ -156,6 +181,6 @@ class Panel {
         const {control} = row;
         row.slider.value = x;
         row.number.value = tidy(x);
-        this.change(control.set, AS[control.as].text(x, this.held(control)), isOver);
+        this.change(control.set, AS[control.as].text(x, this.held(control), control.about), isOver);
     }
 }

@@ -4,5 +4,7 @@
 byId("stage-column").before(byId("live-parts").content.cloneNode(true));
 byId("files").after(element("p", {class: "tools", id: "gifts"}));
 byId("gifts").append(byId("live-gifts").content.cloneNode(true));
-byId("partings").after(element("p", {class: "tools"},
-    element("button", {type: "button", id: "look-closer", title: "Runs each engine with smaller steps, too"}, "Why do they part?")));
+// What is said of a run stands below it: a person looks at the stage while turning its numbers.
+document.querySelector(".bench").after(byId("partings"), element("p", {class: "tools"},
+    element("button", {type: "button", id: "look-closer", title: "Runs each engine with smaller steps, too"}, "Why do they part?")),
+    byId("unsupported"));

@@ -117,6 +117,12 @@ class Runs {
         }
     }
 
+    /// What check --json writes of the scene.
+    verdict(inDetail) {
+        this.measure(inDetail);
+        return this.comparison.verdict().scenes[0];
+    }
+
     /// Keeps the run of the engine under test beside those that follow.
     keep() {
         const engine = this.scene.running.find(({name, run}) => isSubject(name) && run !== undefined);

@@ -35,11 +35,10 @@ TEST_CASE("a force is drawn from a thousandth of the weight on, or of the run's 
           "[compare][report][build]") {
     if (noBrowser()) return;
     const BrowserFolder folder;
-    const Opened opened =
-        openWith(folder,
-                 {"page/engines.js", "page/data.js", "stage/pose.js", "stage/stage.js", "stage/quantities.js",
-                  "stage/arrows.js"},
-                 arrowsPage);
+    const Opened opened = openWith(folder,
+                                   {"page/engines.js", "page/data.js", "stage/pose.js", "stage/stage.js",
+                                    "stage/quantities.js", "stage/arrows.js"},
+                                   arrowsPage);
     CHECK(opened.messages == "");
     CHECK_THAT(opened.page, test::containsText("slides on ice: 0;"));
     CHECK_THAT(opened.page, test::containsText("slides without gravity: 0;"));

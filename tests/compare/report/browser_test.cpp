@@ -140,8 +140,8 @@ TEST_CASE("stairs are hatched on one side all along: the left of a chain where B
           "[compare][report][build]") {
     if (noBrowser()) return;
     const BrowserFolder folder;
-    const Opened opened =
-        openWith(folder, {"page/engines.js", "page/data.js", "stage/pose.js", "stage/stage.js", "stage/still.js"}, stairsPage);
+    const Opened opened = openWith(
+        folder, {"page/engines.js", "page/data.js", "stage/pose.js", "stage/stage.js", "stage/still.js"}, stairsPage);
     CHECK(opened.messages == "");
     CHECK_THAT(opened.page, test::containsText("to the left: 63 of 63 below"));
     CHECK_THAT(opened.page, test::containsText("to the right: 0 of 63 below"));
