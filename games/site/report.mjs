@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a reader of the comparison's report get back to the site? By the site's links, on top of it.
+// How does a reader of the comparison's report, or of its live page, get back to the site? By the site's links, on top.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 

@@ -26,6 +26,9 @@ for (const game of games) writeGamePages({ root, modules: join(build, 'games/she
 cpSync(join(build, 'package'), join(site, 'module'), { recursive: true });
 mkdirSync(join(site, 'report'));
 writeFileSync(join(site, 'report/index.html'), withNav(root, readFileSync(report, 'utf8')));
+mkdirSync(join(site, 'live'));
+writeFileSync(join(site, 'live/index.html'), withNav(root, readFileSync(join(build, 'live/index.html'), 'utf8')));
+copyFileSync(join(build, 'live/live.wasm'), join(site, 'live/live.wasm'));
 writeFileSync(join(site, 'site.css'), fontFaces(weight => `fonts/${fonts[weight]}`) + readFileSync(join(here, 'site.css'), 'utf8'));
 copyFileSync(join(here, 'page.js'), join(site, 'page.js'));
 const pages = new Pages(root, site);

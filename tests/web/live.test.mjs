@@ -8,9 +8,9 @@ import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 
-import { opened, root, served } from './site.mjs';
+import { opened, root, served, site } from './site.mjs';
 
-const live = join(root, 'build/web/live');
+const live = join(site, 'live');
 const folder = mkdtempSync(join(tmpdir(), 'plumb-live-'));
 process.on('exit', () => rmSync(folder, { recursive: true }));
 

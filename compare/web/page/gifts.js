@@ -20,6 +20,7 @@ function base64Of(bytes) {
 function offlinePage(bytes, sceneJson) {
     const safe = JSON.stringify(sceneJson).replaceAll("<", "\\u003c");
     return `<!DOCTYPE html>\n${PAGE_AS_IT_CAME
+        .replace(/<nav class="site-nav"[^]*?<\/nav>/, "")
         .replace(/(<script type="text\/plain" id="module">)[^<]*/, (_, tag) => tag + base64Of(bytes))
         .replace(/(<script type="application\/json" id="opened">)[^<]*/, (_, tag) => tag + safe)}`;
 }

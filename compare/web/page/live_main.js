@@ -87,13 +87,14 @@ async function openLive() {
     };
     const live = new LivePage(comparison, list);
     live.bytes = bytes;
-    fillMenu(list, new Pictures());
     const opened = byId("opened").textContent;
     if (opened && !location.hash) openJson(live, JSON.parse(opened));
     else await openAddress(live, list);
+    fillMenu(list, new Pictures());
+    if (live.scene) markInList(live.name, list.scenes);
     addEventListener("hashchange", () => openAddress(live, list));
-    document.body.dataset.ready = "yes";
     globalThis.livePage = live;
+    document.body.dataset.ready = "yes";
 }
 
 openLive().catch((error) => {

@@ -87,9 +87,10 @@ class LivePage {
             if (!this.scene) return;
             const {runs, player} = this;
             if (this.hand) this.pull();
-            const isNew = runs.advance(this.runs.isCrowd ? Math.max(NEXT_SLICE, 4) : NEXT_SLICE);
+            // Of a crowd no more than what is played next: a picture must not wait for what is seen later.
+            const isNew = runs.advance(runs.isCrowd && player.playing ? 0 : NEXT_SLICE);
             player.known = this.scene.times[runs.tick];
-            if (isNew) this.page.draw();
+            if (isNew && !player.playing) this.page.draw();
             if (!runs.isOver || this.hand) this.go();
             else this.whenQuiet();
         });
