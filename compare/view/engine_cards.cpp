@@ -40,6 +40,11 @@ json engineCards(std::span<const SceneResult> results) {
     json data = json::array();
     for (const Engine& engine : engines()) {
         data.push_back(cardData(engine));
+        for (const EngineNumber& number : engine.numbers)
+            data.back()["numbers"].push_back({{"name", number.name},
+                                              {"byDefault", number.byDefault},
+                                              {"least", number.least},
+                                              {"most", number.most}});
         if (engine.withBullets) data.push_back(cardData(engine.withBullets()));
     }
     const auto isThere = [&](const std::string& name) {

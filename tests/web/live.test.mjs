@@ -210,6 +210,29 @@ test('a scene from a file is read, and what is wrong with one is said', () => op
   await page.waitForFunction(() => livePage.runs.data?.name === 'bounce_1', null, { polling: 20 });
 }));
 
+test('neither the menu nor a scene has a fault that axe finds, light and dark, large and small', async () => {
+  const axe = readFileSync(join(root, 'build/node/node_modules/axe-core/axe.min.js'), 'utf8');
+  for (const [colorScheme, width, height] of [['light', 1280, 800], ['dark', 1280, 800], ['light', 390, 844], ['dark', 390, 844]])
+    for (const hash of ['', '#scene=projectile', '#scene=oblique_1'])
+      await openedLive(hash, async page => {
+        if (hash) await judged(page);
+        await page.evaluate(script => (0, eval)(script), axe);  // the page itself may load no script
+        const faults = await page.evaluate(async () => (await axe.run(document, { resultTypes: ['violations'] })).violations
+          .map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).slice(0, 4).join(', ')}`));
+        assert.deepEqual(faults, [], `${colorScheme} ${width} ${hash}`);
+      }, { colorScheme, viewport: { width, height }, bypassCSP: true });
+});
+
+test('no part of the page is wider than its window at four sizes, and nothing overlaps the stage', async () => {
+  for (const [width, height] of [[390, 844], [820, 1180], [1280, 800], [1920, 1080]])
+    for (const hash of ['', '#scene=block_slides'])
+      await openedLive(hash, async page => {
+        if (hash) await judged(page);
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+        assert.ok(wide <= width, `${hash} at ${width}: ${wide}`);
+      }, { viewport: { width, height } });
+});
+
 test('the module and the page take no more than 1.5 MB, packed', () => {
   const packed = ['index.html', 'live.wasm'].map(name => gzipSync(readFileSync(join(live, name)), { level: 9 }).length);
   assert.ok(packed[0] + packed[1] <= 1.5e6, packed.join());

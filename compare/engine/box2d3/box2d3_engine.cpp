@@ -182,7 +182,7 @@ public:
     }
 
     std::vector<Push> pushes() const override {
-        return lastDt_ ? pushes3({bodies_, joints_, arrivals_.joints(), *lastDt_, subSteps_}) : std::vector<Push>{};
+        return lastDt_ ? pushes3({bodies_, joints_, geometries_, *lastDt_, subSteps_}) : std::vector<Push>{};
     }
 
     void hold(const std::optional<Hand>& hand) override {
@@ -250,12 +250,12 @@ private:
     }
 
     void join(const Scene& scene) {
-        const std::vector<JointGeometry> joints = jointGeometries(scene);
-        for (std::size_t i = 0; i < joints.size(); ++i) {
-            joints_.push_back(jointIsThereAtStart(scene, joints, i)
-                                  ? addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps_}, joints[i], i)
+        geometries_ = jointGeometries(scene);
+        for (std::size_t i = 0; i < geometries_.size(); ++i) {
+            joints_.push_back(jointIsThereAtStart(scene, geometries_, i)
+                                  ? addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps_}, geometries_[i], i)
                                   : b2_nullJointId);
-            const Breaking breaking = breakingOf(joints[i].def);
+            const Breaking breaking = breakingOf(geometries_[i].def);
             if (breaking.force < unlimited || breaking.torque < unlimited) breaks_ = true;
         }
     }
@@ -325,6 +325,7 @@ private:
     std::vector<b2BodyId> bodies_;
     mutable std::vector<double> angles_;  // as last returned, counted on through whole turns [rad]
     std::vector<b2JointId> joints_;       // null if the joint has broken
+    std::vector<JointGeometry> geometries_;
     b2JointId hand_ = b2_nullJointId;
     bool breaks_ = false, senses_ = false;
     std::vector<Watched> probes_;

@@ -78,17 +78,21 @@ Controls pendulumControls() {
 
 Controls discControls() {
     Controls controls;
-    for (const std::string name : {"disc_a", "disc_b"}) {
-        const std::string body = "bodies." + name;
-        controls.push_back(
-            {.label = "Mass of " + name, .set = {body + ".mass"}, .from = 0.1, .to = 10, .step = 0.1, .unit = "kg"});
-        controls.push_back({.label = "Speed of " + name,
+    for (const std::string name : {"A", "B"}) {
+        const std::string body = name == "A" ? "bodies.disc_a" : "bodies.disc_b";
+        controls.push_back({.label = "Mass of disc " + name,
+                            .set = {body + ".mass"},
+                            .from = 0.1,
+                            .to = 10,
+                            .step = 0.1,
+                            .unit = "kg"});
+        controls.push_back({.label = "Speed of disc " + name,
                             .set = {body + ".velocity"},
                             .as = ShownAs::Size,
                             .to = 10,
                             .step = 0.1,
                             .unit = "m/s"});
-        controls.push_back({.label = "Direction of " + name,
+        controls.push_back({.label = "Direction of disc " + name,
                             .set = {body + ".velocity"},
                             .as = ShownAs::Direction,
                             .from = -180,
@@ -96,7 +100,7 @@ Controls discControls() {
                             .step = 1,
                             .unit = "°"});
     }
-    controls.push_back({.label = "Offset of disc_a",
+    controls.push_back({.label = "Offset of disc A",
                         .set = {"bodies.disc_a.position"},
                         .as = ShownAs::Y,
                         .from = -1,

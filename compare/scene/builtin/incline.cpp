@@ -7,6 +7,7 @@ namespace {
 
 constexpr double slope = degrees(30);
 constexpr double slopeLength = 10;  // [m]
+constexpr double plankLength = 30;  // long enough for the slopes that a person sets [m]
 
 Vec2 downhill() {
     return direction(-slope);
@@ -28,7 +29,7 @@ SceneBody wedge(double friction) {
 /// A block of 1 kg at rest with its face on the slope. It is 1 m long and 0.5 m high, so that it does not tip. The
 /// slope is a plank with its origin at the block's: so both may be turned alike.
 Scene slidingBlock(double friction) {
-    const Vec2 halfSize(0.5, 0.25), halfPlank(slopeLength / 2, 0.15);
+    const Vec2 halfSize(0.5, 0.25), halfPlank(plankLength / 2, 0.15);
     const Vec2 start = onSlope(1, halfSize.y());
     const Vec2 middle(halfPlank.x() - 1, -halfSize.y() - halfPlank.y());  // of the plank, from the block
     const SceneBody plank{"incline",

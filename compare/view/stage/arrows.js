@@ -14,6 +14,18 @@ function arrowsShown(view) {
     return Object.keys(ARROWS).filter((kind) => view[kind]);
 }
 
+/// The sizes of all forces, each by itself, at moments of the run.
+function causeSizes(scene, engine, stride) {
+    const sizes = [];
+    for (let frame = 1; frame < Math.min(scene.ticks.length, engine.ticks); frame += 4 * stride) {
+        for (const {force} of causesOf(scene, engine, frame)) {
+            const size = Math.hypot(...force);
+            if (size > 0) sizes.push(size);
+        }
+    }
+    return sizes;
+}
+
 /// The size that only a twentieth of the moments exceed: an impact must not make all other arrows too short to see.
 function usualSize(scene, kind) {
     scene.arrowSizes ??= {};
@@ -27,6 +39,7 @@ function usualSize(scene, kind) {
             if (vector) sizes.push(Math.hypot(...vector));
         }
     }
+    if (kind === "force" && engine?.pushesAt) sizes.push(...causeSizes(scene, engine, stride));
     sizes.sort((a, b) => a - b);
     scene.arrowSizes[kind] = sizes[Math.floor(0.95 * sizes.length)] ?? 0;
     return scene.arrowSizes[kind];
@@ -72,6 +85,8 @@ function arrowsOf(view, engine, kind) {
     });
 }
 
+const MOST_NAMES = 10;  // more would lie over each other
+
 function drawArrows(context, camera, view, engine) {
     context.setLineDash([]);
     for (const kind of arrowsShown(view)) {
@@ -87,7 +102,7 @@ function drawArrows(context, camera, view, engine) {
             drawArrow(context, from, [dx, -dy], filled);
             if (name && Math.hypot(dx, dy) >= 12) labels.push([name, from[0] + dx, from[1] - dy, dx]);
         }
-        if (engine === guideOf(view)) for (const label of labels) drawArrowName(context, view.theme, ...label);
+        if (engine === guideOf(view) && labels.length <= MOST_NAMES) for (const label of labels) drawArrowName(context, view.theme, ...label);
     }
 }
 

@@ -108,11 +108,17 @@ class LivePage {
         if (!runs.held && (!runs.isCrowd || inDetail)) runs.measure(inDetail);
         if (!this.isPlacing && page.view.aim.zoom === 1 && page.view.aim.follow === null) page.view.box = sceneBox(scene);
         page.show(scene);
+        byId("scene-changed").textContent = `Changed: ${this.changedText()}`;
         byId("held").hidden = !runs.held;
         byId("look-closer").hidden = inDetail || runs.held;
         page.charts.load(scene);
         document.body.classList.remove("pending");
         page.showTime();
+    }
+
+    /// What was changed, as the panel calls it.
+    changedText() {
+        return [...this.changed].map(([path, text]) => this.panel.said(path) ?? `${path} = ${text}`).filter(Boolean).join(", ");
     }
 
     // ---- changes

@@ -73,9 +73,12 @@ function generalControls(data, engines) {
     const controls = [{set: ["gravity.1"], as: "downwards", label: "Gravity", unit: "m/s²", from: 0, to: 25, step: 0.01, meaning: "downwards"},
         {set: ["dt"], as: "perSecond", label: "Steps a second", unit: "1/s", from: 15, to: 480, step: 1, meaning: "for all engines"},
         {set: ["duration"], as: "number", label: "Duration", unit: "s", from: 0.5, to: Math.max(10, niceStep(data.duration)), step: 0.5, meaning: "of the run"}];
-    for (const {name, label} of engines.filter(({name}) => ["plumb", "box2d-3"].includes(name))) {
-        controls.push({set: [`${name}:solver.subSteps`], as: "number", label: `Sub-steps of ${label}`, unit: "", from: 1, to: 16, step: 1,
-            otherwise: 4, meaning: "how often a step is divided"});
+    for (const {name, label, numbers = []} of engines) {
+        const subSteps = numbers.find((number) => number.name === "subSteps");
+        if (!subSteps) continue;
+        controls.push({set: [`${name}:solver.subSteps`], as: "number", label: `Sub-steps of ${label}`, unit: "",
+            from: subSteps.least, to: Math.min(16, subSteps.most), step: 1, otherwise: subSteps.byDefault,
+            meaning: "how often a step is divided"});
     }
     return controls;
 }
@@ -84,7 +87,7 @@ function generalControls(data, engines) {
 function numbersOf(schema, definition, path, value, usual) {
     return Object.entries(schema.$defs[definition].properties).flatMap(([name, field]) => {
         const held = value?.[name];
-        const control = {set: [`${path}.${name}`], unit: field.unit === "-" ? "" : field.unit ?? "", meaning: field.description ?? ""};
+        const control = {set: [`${path}.${name}`], unit: field.unit === "-" ? "" : (field.unit ?? "").replace("^2", "²"), meaning: field.description ?? ""};
         const label = name.replace(/([A-Z])/g, (letter) => ` ${letter.toLowerCase()}`);
         if (name === "velocity" && Array.isArray(held)) {
             return [{...control, as: "size", label: "speed", ...rangeFor(Math.hypot(...held), {minimum: 0}, 5)},
@@ -174,6 +177,14 @@ class Panel {
         if (path === undefined) return valueAt(this.json, first);
         const text = this.json.engines?.[engine]?.[path];
         return text === undefined ? otherwise : Number(text);
+    }
+
+    /// "Slope 45 °" for a path that a row sets; nothing for the further paths of a row; null if no row sets it.
+    said(path) {
+        const rows = this.rows.filter(({control}) => control.set.includes(path));
+        if (rows.length === 0) return null;
+        return rows.filter(({control}) => control.set[0] === path)
+            .map(({control, number}) => `${control.label} ${number.value} ${control.unit}`.trim()).join(", ");
     }
 
     turn(row, x, isOver) {
