@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <compare/view/result_view.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -67,6 +69,7 @@ json engineData(const EngineResult& result) {
                  {"settings", settings},
                  {"metrics", metrics},
                  {"answer", result.answer}};
+    if (run.hash) data["hash"] = fmt::format("{:016x}", *run.hash);
     if (!run.unsupported.empty()) data["unsupported"] = run.unsupported;
     return data;
 }

@@ -155,6 +155,7 @@ function settingsTable(scene) {
         same("step", stepText(scene.dt)),
         same("gravity", `(${chosenQuantity(gx, "-", 4)}, ${chosenQuantity(gy, "-", 4)})${NO_BREAK}m/s²`),
         row("version", (engine) => engine.version || null),
+        ...(engines.some(({hash}) => hash) ? [row("hash of the last state", (engine) => engine.hash ?? null)] : []),
         ...names.map((name) => row(name, (engine) => engine.settings.find(([key]) => key === name)?.[1])),
     ]);
 }
