@@ -27,6 +27,20 @@ Live::Live(Scene scene) : original_(std::move(scene)) {
     scene_ = original_;
 }
 
+Scene Live::sceneToKeep() const {
+    Scene kept = scene_;
+    if (settings_.empty()) return kept;
+    Observation truth;
+    for (const Engine& engine : engines())
+        if (engine.role == Role::Truth) truth = observe(scene_, engine);
+    const std::vector<std::string> stale = metricsOfItsNumbers(scene_, truth);
+    std::erase_if(kept.checks, [&](const Check& check) {
+        const auto* invariant = std::get_if<InvariantCheck>(&check);
+        return invariant && std::ranges::find(stale, invariant->metric) != stale.end();
+    });
+    return kept;
+}
+
 std::vector<std::string> Live::changed() const {
     std::vector<std::string> texts;
     for (const FieldSetting& setting : settings_) texts.push_back(setting.path + " = " + setting.value);

@@ -19,6 +19,8 @@ public:
 
     /// The scene with all that was set.
     const Scene& scene() const { return scene_; }
+    /// The same to be kept: if something was set, without checks of what its author worked out for the scene as it was.
+    Scene sceneToKeep() const;
     /// What was set, as "dt = 1/120", in the order in which it was set.
     std::vector<std::string> changed() const;
     /// Sets one field, as withField does; an earlier value of the same field is forgotten. Throws std::invalid_argument

@@ -199,6 +199,8 @@ test('the page as one file opens without a network, with the scene as it was cha
   await opened(`file://${file}`, {}, async offline => {
     await offline.waitForFunction(() => document.body.dataset.ready, null, { polling: 20 });
     assert.equal((await verdictOf(offline, false)).engines.plumb.hash, mine.engines.plumb.hash);
+    for (const id of ['panel', 'look-closer', 'gifts']) assert.equal(await offline.locator(`#${id}`).count(), 1, id);
+    assert.equal(await offline.textContent('#scene-changed'), 'Changed: gravity.1 = -1.62');
   });
 }));
 
@@ -223,7 +225,7 @@ test('neither the menu nor a scene has a fault that axe finds, light and dark, l
       }, { colorScheme, viewport: { width, height }, bypassCSP: true });
 });
 
-test('no part of the page is wider than its window at four sizes, and nothing overlaps the stage', async () => {
+test('no part of the page is wider than its window at four sizes', async () => {
   for (const [width, height] of [[390, 844], [820, 1180], [1280, 800], [1920, 1080]])
     for (const hash of ['', '#scene=block_slides'])
       await openedLive(hash, async page => {
@@ -232,6 +234,19 @@ test('no part of the page is wider than its window at four sizes, and nothing ov
         assert.ok(wide <= width, `${hash} at ${width}: ${wide}`);
       }, { viewport: { width, height } });
 });
+
+test('what is typed and is no number is refused, with the name of the control', () => openedLive('#scene=projectile', async page => {
+  const speed = box('bodies.ball.velocity', 'size');
+  await typed(page, speed, '');
+  assert.equal(await page.textContent('#refused'), 'Speed: a number is wanted');
+  await typed(page, speed, -3);
+  assert.match(await page.textContent('#refused'), /^Speed: it is not negative/);
+  await typed(page, speed, 0);
+  await typed(page, speed, 12);
+  const [{ velocity: [x, y] }] = JSON.parse(await page.evaluate(() => livePage.comparison.exported(true))).bodies;
+  assert.ok(Math.abs(Math.hypot(x, y) - 12) < 1e-9 && Math.abs(x - y) < 1e-9, 'the direction is kept');
+  assert.equal(await page.textContent('#refused'), '');
+}));
 
 test('the module and the page take no more than 1.5 MB, packed', () => {
   const packed = ['index.html', 'live.wasm'].map(name => gzipSync(readFileSync(join(live, name)), { level: 9 }).length);

@@ -9,6 +9,10 @@ namespace {
 
 using Controls = std::vector<SceneControl>;
 
+SceneControl durationControl() {
+    return {.label = "Duration", .set = {"duration"}, .from = 0.5, .to = 60, .step = 0.5, .unit = "s"};
+}
+
 SceneControl gravityControl() {
     return {.label = "Gravity", .set = {"gravity.1"}, .as = ShownAs::Downwards, .to = 25, .unit = "m/s²"};
 }
@@ -23,7 +27,8 @@ Controls shotControls() {
          .step = 0.5,
          .unit = "°"},
         {.label = "Height", .set = {"bodies.ball.position"}, .as = ShownAs::Y, .to = 30, .step = 0.1, .unit = "m"},
-        gravityControl()};
+        gravityControl(),
+        durationControl()};
 }
 
 Controls dragControls() {
@@ -41,7 +46,8 @@ Controls fallControls() {
              .to = 20,
              .step = 0.1,
              .unit = "m/s"},
-            gravityControl()};
+            gravityControl(),
+            durationControl()};
 }
 
 Controls bounceControls() {
@@ -53,7 +59,8 @@ Controls bounceControls() {
              .to = 20,
              .step = 0.1,
              .unit = "m"},
-            gravityControl()};
+            gravityControl(),
+            durationControl()};
 }
 
 /// The bob hangs from (0, 2).
@@ -73,7 +80,8 @@ Controls pendulumControls() {
              .from = 0.2,
              .to = 4,
              .unit = "m"},
-            gravityControl()};
+            gravityControl(),
+            durationControl()};
 }
 
 Controls discControls() {
@@ -119,7 +127,8 @@ Controls slopeControls() {
              .unit = "°"},
             {.label = "Friction", .set = {"bodies.block.friction", "bodies.incline.friction"}, .to = 1.5},
             {.label = "Mass", .set = {"bodies.block.mass"}, .from = 0.1, .to = 20, .step = 0.1, .unit = "kg"},
-            gravityControl()};
+            gravityControl(),
+            durationControl()};
 }
 
 Controls springControls() {
@@ -127,7 +136,8 @@ Controls springControls() {
     return {{.label = "Stiffness k", .set = {spring + ".stiffness"}, .from = 1, .to = 200, .step = 1, .unit = "N/m"},
             {.label = "Damping c", .set = {spring + ".damping"}, .to = 20, .step = 0.1, .unit = "N s/m"},
             {.label = "Mass", .set = {"bodies.weight.mass"}, .from = 0.1, .to = 5, .step = 0.1, .unit = "kg"},
-            gravityControl()};
+            gravityControl(),
+            durationControl()};
 }
 
 Controls atwoodControls() {
@@ -143,7 +153,8 @@ Controls atwoodControls() {
              .to = 10,
              .step = 0.1,
              .unit = "kg"},
-            gravityControl()};
+            gravityControl(),
+            durationControl()};
 }
 
 Controls rollControls() {
@@ -155,7 +166,8 @@ Controls rollControls() {
              .step = 0.1,
              .unit = "m/s"},
             {.label = "Friction", .set = {"bodies.disc.friction", "bodies.floor.friction"}},
-            gravityControl()};
+            gravityControl(),
+            durationControl()};
 }
 
 Controls airControls() {
@@ -165,7 +177,8 @@ Controls airControls() {
              .step = 0.001,
              .unit = "kg/m"},
             {.label = "Mass", .set = {"bodies.ball.mass"}, .from = 0.1, .to = 10, .step = 0.1, .unit = "kg"},
-            gravityControl()};
+            gravityControl(),
+            durationControl()};
 }
 
 struct Offered {

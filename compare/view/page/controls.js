@@ -69,8 +69,9 @@ function showTransport(player, scene) {
     const time = scene.times[frame];
     byId("clock").textContent = timeText(time);
     byId("tick").textContent = `step ${scene.ticks[frame]} of ${scene.steps}`;
-    byId("stopwatch").textContent = player.mark === null ? "Stopwatch" : `Δt ${timeText(time - player.mark)}`;
-    byId("stopwatch").setAttribute("aria-pressed", String(player.mark !== null));
+    const {from, until} = player.watch;
+    byId("stopwatch").textContent = from === undefined ? "Stopwatch" : `Δt ${timeText((until ?? time) - from)}`;
+    byId("stopwatch").setAttribute("aria-pressed", String(from !== undefined && until === undefined));
     const scrub = byId("scrub");
     scrub.value = frame;
     scrub.style.setProperty("--done", `${(100 * frame) / Math.max(1, scene.ticks.length - 1)}%`);

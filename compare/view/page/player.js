@@ -10,7 +10,7 @@ class Player {
         this.speed = 1;
         this.playing = false;
         this.repeat = false;
-        this.mark = null;  // from when on a stopwatch counts [s]
+        this.watch = {};  // of a stopwatch: from and until [s]; none at first
         this.known = Infinity;  // until then the run is computed [s]
         this.waiting = null;
     }
@@ -21,7 +21,12 @@ class Player {
         this.stop();
         this.times = times;
         this.time = 0;
-        this.mark = null;
+        this.watch = {};
+    }
+    /// The first press begins, the second one stops, the third one clears.
+    pressStopwatch() {
+        const {from, until} = this.watch, now = this.times[this.frame];
+        this.watch = from === undefined ? {from: now} : until === undefined ? {from, until: now} : {};
     }
     seek(time) {
         this.time = Math.min(Math.max(time, 0), this.end);

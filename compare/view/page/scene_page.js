@@ -23,7 +23,7 @@ class ScenePage {
             byId(tool).addEventListener("change", ({target}) => this.take(tool, target.checked));
         }
         byId("stopwatch").addEventListener("click", () => {
-            this.player.mark = this.player.mark === null ? this.player.time : null;
+            this.player.pressStopwatch();
             this.showTime();
         });
         fillChoice(byId("magnify"), "magnify", MAGNIFICATIONS, 1, (times) => {

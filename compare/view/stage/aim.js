@@ -43,7 +43,7 @@ function bodyAt(view, px, py) {
 class StageAim {
     /// changed() draws the stage again. grab(body, x, y), if there is one, may take a body that is pressed at a point of
     /// the world: it returns {move(x, y), end()}, or null to leave it.
-    constructor(canvas, view, changed, grab = () => null) {
+    constructor(canvas, view, changed, grab = null) {
         Object.assign(this, {canvas, view, changed, grab, pointers: new Map(), moved: 0, held: null});
         canvas.addEventListener("wheel", (event) => this.wheel(event), {passive: false});
         canvas.addEventListener("pointerdown", (event) => this.press(event));
@@ -123,7 +123,7 @@ class StageAim {
             }, end() {}};
         }
         const body = bodyAt(view, px, py);
-        return body === null ? null : this.grab(body, view.camera.worldX(px), view.camera.worldY(py));
+        return body === null || !this.grab ? null : this.grab(body, view.camera.worldX(px), view.camera.worldY(py));
     }
 
     /// The pointer is over a point of the stage, or over none.
@@ -169,6 +169,7 @@ class StageAim {
             this.held = null;
         }
         if (!this.pointers.delete(event.pointerId) || event.type === "pointercancel" || this.moved >= 5) return;
+        if (this.grab) return;  // there a click chooses a body
         const body = bodyAt(this.view, event.offsetX, event.offsetY);
         if (body !== null || this.view.aim.follow !== null) this.follow(body);
     }

@@ -100,7 +100,8 @@ function drawArrows(context, camera, view, engine) {
             const [dx, dy] = vector.map((part) => part * scale * shrink);
             const from = [camera.x(at[0]), camera.y(at[1])];
             drawArrow(context, from, [dx, -dy], filled);
-            if (name && Math.hypot(dx, dy) >= 12) labels.push([name, from[0] + dx, from[1] - dy, dx]);
+            if (name && Math.hypot(dx, dy) >= 4)
+                labels.push([`${name} ${quantity(Math.hypot(...vector), "N")}`, from[0] + dx, from[1] - dy, dx]);
         }
         if (engine === guideOf(view) && labels.length <= MOST_NAMES) for (const label of labels) drawArrowName(context, view.theme, ...label);
     }

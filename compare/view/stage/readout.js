@@ -83,7 +83,8 @@ function momentAt(view, px, py) {
     let best = null;
     const take = (engine, body, state, bonus = 0) => {
         const far = Math.hypot(camera.x(state.x) - px, camera.y(state.y) - py) - bonus;
-        if (far <= REACH - bonus && far < (best?.far ?? Infinity)) best = {far, engine, body, ...state};
+        // Of ways that lie on each other the first engine's counts.
+        if (far <= REACH - bonus && far < (best ? best.far - (best.engine === engine ? 0 : 2) : Infinity)) best = {far, engine, body, ...state};
     };
     for (const engine of scene.running) {
         if (view.hidden.has(engine.name) || engine.bodies.length > MOST_BODIES) continue;

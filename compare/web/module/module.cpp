@@ -176,9 +176,11 @@ PLUMB_EXPORT(reset) double resetScene() {
         sayScene();
     });
 }
-/// Says the open scene as JSON, with all fields if so.
+/// Says the open scene as JSON with all its fields, or as it is kept in a file.
 PLUMB_EXPORT(exported) double exported(std::uint32_t everything) {
-    return tried([=] { text = toJson(open().scene(), everything ? Defaults::Written : Defaults::LeftOut); });
+    return tried([=] {
+        text = everything != 0 ? toJson(open().scene(), Defaults::Written) : toJson(open().sceneToKeep());
+    });
 }
 
 /// Says the JSON Schema of scenes.

@@ -7,22 +7,19 @@ function give(fileName, content, type) {
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-/// The page as it came, before it drew anything.
-const PAGE_AS_IT_CAME = document.documentElement.outerHTML;
-
 function base64Of(bytes) {
     let text = "";
     for (let i = 0; i < bytes.length; i += 32768) text += String.fromCharCode(...bytes.subarray(i, i + 32768));
     return btoa(text);
 }
 
-/// One file that needs no network: the module is in it, and the scene as it is now. Whoever opens it begins there.
-function offlinePage(bytes, sceneJson) {
-    const safe = JSON.stringify(sceneJson).replaceAll("<", "\\u003c");
+/// One file that needs no network: the module is in it, and the address of the scene as it is now, where it begins.
+function offlinePage(bytes, address) {
+    const safe = address.replaceAll("<", "%3C");
     return `<!DOCTYPE html>\n${PAGE_AS_IT_CAME
         .replace(/<nav class="site-nav"[^]*?<\/nav>/, "")
         .replace(/(<script type="text\/plain" id="module">)[^<]*/, (_, tag) => tag + base64Of(bytes))
-        .replace(/(<script type="application\/json" id="opened">)[^<]*/, (_, tag) => tag + safe)}`;
+        .replace(/(<script type="text\/plain" id="opened">)[^<]*/, (_, tag) => tag + safe)}`;
 }
 
 function bindGifts(live) {
@@ -30,9 +27,12 @@ function bindGifts(live) {
     const bind = (id, act) => byId(id).addEventListener("click", act);
     bind("give-json", () => give(`${name()}.json`, `${live.comparison.exported()}\n`, "application/json"));
     bind("give-png", () => byId("stage").toBlob((blob) => give(`${name()}.png`, blob, "image/png")));
-    bind("give-page", () => give(`${name()}.html`, offlinePage(live.bytes, live.comparison.exported()), "text/html"));
+    bind("give-page", async () => {
+        await live.settled();
+        give(`${name()}.html`, offlinePage(live.bytes, location.hash), "text/html");
+    });
     bind("give-link", async () => {
-        live.settled();
+        await live.settled();
         await navigator.clipboard?.writeText(location.href).catch(() => {});
         byId("give-link").textContent = "Link copied";
         setTimeout(() => { byId("give-link").textContent = "Copy a link"; }, 2000);

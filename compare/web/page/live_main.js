@@ -88,8 +88,8 @@ async function openLive() {
     const live = new LivePage(comparison, list);
     live.bytes = bytes;
     const opened = byId("opened").textContent;
-    if (opened && !location.hash) openJson(live, JSON.parse(opened));
-    else await openAddress(live, list);
+    if (opened && !location.hash) history.replaceState(null, "", opened);
+    await openAddress(live, list);
     fillMenu(list, new Pictures());
     if (live.scene) markInList(live.name, list.scenes);
     addEventListener("hashchange", () => openAddress(live, list));

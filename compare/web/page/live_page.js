@@ -11,13 +11,14 @@ class LivePage {
         this.list = list;
         this.runs = new Runs(comparison);
         this.page = new ScenePage(() => this.settled(), (body, x, y) => this.grab(body, x, y));
-        this.panel = new Panel(byId("controls"), (paths, text, isOver) => this.change(paths, text, isOver));
+        this.panel = new Panel(byId("controls"), (paths, text, isOver) => this.change(paths, text, isOver), (fault) => this.refuse(fault));
         this.schema = null;
         this.hand = null;
         this.picked = null;
         byId("engine-keys").addEventListener("change", ({target}) => this.ask(target));
         byId("reset").addEventListener("click", () => this.reset());
-        byId("restart").addEventListener("click", () => { this.page.player.seek(0); this.settled(); });
+        byId("restart").addEventListener("click", () => this.restart());
+        byId("follow").addEventListener("click", () => { if (this.picked !== null) this.page.aim.follow(this.picked); });
         byId("keep").addEventListener("click", () => this.keep());
         byId("look-closer").addEventListener("click", () => this.measure(true));
         bindGifts(this);
@@ -37,6 +38,8 @@ class LivePage {
         else this.runs.open(name);
         for (const [path, value] of changed) this.runs.set(path, value);
         this.changed = new Map(changed);
+        this.panel.turned.clear();
+        this.panel.angles.clear();
         this.wanted = wanted.length > 0 ? wanted : this.runs.isCrowd ? [subjectName(this.list)] : [];
         this.begin();
         this.page.open(this.scene);
@@ -72,7 +75,7 @@ class LivePage {
         page.view.scene = scene;
         player.times = scene.times;
         player.time = 0;
-        player.mark = null;
+        player.watch = {};
         byId("scrub").max = scene.ticks.length - 1;
         // The picture keeps still under a hand.
         if (!this.isPlacing) page.view.box.addBox(sceneBox(scene));
@@ -110,6 +113,7 @@ class LivePage {
         page.show(scene);
         byId("scene-changed").textContent = `Changed: ${this.changedText()}`;
         byId("held").hidden = !runs.held;
+        if (runs.held) for (const id of ["scene-answer", "partings", "scene-verdict"]) byId(id).replaceChildren();
         byId("look-closer").hidden = inDetail || runs.held;
         page.charts.load(scene);
         document.body.classList.remove("pending");
@@ -118,7 +122,15 @@ class LivePage {
 
     /// What was changed, as the panel calls it.
     changedText() {
-        return [...this.changed].map(([path, text]) => this.panel.said(path) ?? `${path} = ${text}`).filter(Boolean).join(", ");
+        if (this.changed.size === 0) return "nothing";
+        return [...this.changed].map(([path, text]) => this.panel.said(path) ?? `${path} = ${text.replace(/-?\d+\.\d{4,}/g, (digits) => tidy(Number(digits)))}`).filter(Boolean).join(", ");
+    }
+
+    /// From the start, and without the hand that pulled.
+    restart() {
+        if (this.runs.held) this.again();
+        else this.player.seek(0);
+        this.settled();
     }
 
     // ---- changes
@@ -136,6 +148,10 @@ class LivePage {
             byId("refused").textContent = error.message;
         }
         if (isOver) this.changeIsOver();
+    }
+
+    refuse(fault) {
+        byId("refused").textContent = fault;
     }
 
     changeIsOver() {
@@ -188,7 +204,9 @@ class LivePage {
             groups.push({title: `The body ${data.bodies[this.picked].name}`, open: true,
                 controls: bodyControls(this.schema, json, data.bodies[this.picked].name)});
         }
-        groups.push({title: "The world", controls: generalControls(data, this.list.engines),
+        const isOffered = new Set(own.flatMap(({set}) => set));
+        groups.push({title: "The world",
+            controls: generalControls(data, this.list.engines).filter(({set: [first]}) => !isOffered.has(first)),
             open: own.length === 0});
         this.panel.show(groups, json, data.bodies);
         byId("pick-hint").hidden = this.picked !== null;
@@ -270,8 +288,8 @@ class LivePage {
 
     settled() {
         const {player} = this;
-        if (!this.scene) return;
-        writeAddress({name: this.name, json: this.json, changed: [...this.changed], time: player.time, play: player.playing,
+        if (!this.scene) return undefined;
+        return writeAddress({name: this.name, json: this.json, changed: [...this.changed], time: player.time, play: player.playing,
             speed: player.speed});
     }
 }

@@ -40,5 +40,6 @@ function fillMenu({scenes}, pictures) {
         const words = target.value.toLowerCase().split(/\s+/).filter(Boolean);
         for (const {item, texts} of rows) item.hidden = !words.every((word) => texts.includes(word));
         for (const section of byId("menu").children) section.hidden = !section.querySelector("li:not([hidden])");
+        byId("nothing-found").hidden = rows.some(({item}) => !item.hidden);
     });
 }

@@ -28,7 +28,8 @@ const AS = {
     perSecond: {of: (value) => Math.round(1 / value), text: (x) => `1/${x}`},
     x: {of: ([x]) => x, text: (x, [, y]) => `${x},${y}`},
     y: {of: ([, y]) => y, text: (y, [x]) => `${x},${y}`},
-    size: {of: (v, about) => Math.hypot(...from(v, about)), text: (size, v, about) => polar(size, angleOf(v, about), about)},
+    size: {of: (v, about) => Math.hypot(...from(v, about)),
+        text: (size, v, about, angle) => polar(size, angle ?? angleOf(v, about), about)},
     direction: {of: (v, about) => angleOf(v, about) / DEGREE,
         text: (x, v, about) => polar(Math.hypot(...from(v, about)), x * DEGREE, about)},
     hanging: {of: (v, about) => wound(angleOf(v, about) / DEGREE + 90),
@@ -118,9 +119,10 @@ function bodyControls(schema, json, name) {
 }
 
 class Panel {
-    /// change(paths, text, isOver): fields are to be set; isOver: the person has let the slider go.
-    constructor(host, change) {
-        Object.assign(this, {host, change, rows: []});
+    /// change(paths, text, isOver): fields are to be set; isOver: the person has let the slider go. refuse(fault): what was
+    /// typed is no number that fits.
+    constructor(host, change, refuse) {
+        Object.assign(this, {host, change, refuse, rows: [], turned: new Map(), angles: new Map()});
     }
 
     /// groups: {title, controls, open}; json: the scene; bodies: as the module says of them.
@@ -179,19 +181,28 @@ class Panel {
         return text === undefined ? otherwise : Number(text);
     }
 
-    /// "Slope 45 °" for a path that a row sets; nothing for the further paths of a row; null if no row sets it.
+    /// "Slope 45 °" for a path that was turned by a row; nothing for the further paths of a row; null if no row turned it.
     said(path) {
-        const rows = this.rows.filter(({control}) => control.set.includes(path));
-        if (rows.length === 0) return null;
-        return rows.filter(({control}) => control.set[0] === path)
-            .map(({control, number}) => `${control.label} ${number.value} ${control.unit}`.trim()).join(", ");
+        const labels = this.turned.get(path);
+        if (!labels) return null;
+        const rows = [...labels].map((label) => this.rows.find(({control}) => control.label === label && control.set[0] === path));
+        return rows.filter(Boolean).map(({control, number}) => `${control.label} ${number.value} ${control.unit}`.trim()).join(", ");
     }
 
     turn(row, x, isOver) {
-        if (!Number.isFinite(x)) return;
         const {control} = row;
+        const isTooSmall = control.as === "size" && x < 0;
+        if (!Number.isFinite(x) || isTooSmall) {
+            this.refuse(`${control.label}: ${isTooSmall ? "it is not negative; its direction is set below" : "a number is wanted"}`);
+            row.number.value = row.slider.value;
+            return;
+        }
+        for (const path of control.set) this.turned.set(path, (this.turned.get(path) ?? new Set()).add(control.label));
         row.slider.value = x;
         row.number.value = tidy(x);
-        this.change(control.set, AS[control.as].text(x, this.held(control), control.about), isOver);
+        const [path] = control.set, held = this.held(control);
+        const isVector = Array.isArray(held);
+        if (isVector && Math.hypot(...from(held, control.about)) > 0) this.angles.set(path, angleOf(held, control.about));
+        this.change(control.set, AS[control.as].text(x, held, control.about, this.angles.get(path)), isOver);
     }
 }
