@@ -100,6 +100,7 @@ json jointData(std::size_t index, const SceneJoint& joint, const JointGeometry& 
               {"type", tagsOfAlternatives<JointDef>[joint.def.index()]},
               {"atA", pair(geometry.localAnchorA)},
               {"atB", pair(geometry.localAnchorB)}};
+    if (const auto* rod = std::get_if<DistanceJointDef>(&joint.def)) data["spring"] = rod->spring.has_value();
     if (const auto* pulley = std::get_if<PulleyJointDef>(&joint.def))
         data["over"] = {pair(pulley->groundA), pair(pulley->groundB)};
     return data;

@@ -69,7 +69,8 @@ function stackedEnergies(scene, engine) {
     });
     const sums = Array.from(scene.curveTimes, (_, i) => lines.reduce((sum, {values}) => sum + (values[i] || 0), 0));
     const most = sums.reduce((high, sum) => Math.max(high, sum), 1e-9);
-    return {times: scene.curveTimes, lines, unit: "J", ruler: true, stacked: true, range: [0, 1.1 * most], logarithmic: false};
+    return {times: scene.curveTimes, lines, unit: "J", ruler: true, stacked: true, range: [0, 1.1 * most],
+        logarithmic: false};
 }
 
 function spread(values) {

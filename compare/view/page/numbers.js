@@ -125,7 +125,8 @@ function numbersTable(scene) {
 
 function checksTable(scene) {
     if (scene.pass === null) return [element("caption", {}, notJudgedText("scene", scene))];
-    const heads = [columnHead(element("span", {class: "unseen"}, "Verdict")), columnHead("Check"), columnHead("Engine"), columnHead("Metric"),
+    const heads = [columnHead(element("span", {class: "unseen"}, "Verdict")), columnHead("Check"),
+        columnHead("Engine"), columnHead("Metric"),
         columnHead("Value", true), columnHead("Limit", true), columnHead("Why this limit")];
     const rows = scene.outcomes.map((outcome) => element("tr", {class: outcome.pass ? null : "failing"},
         element("td", {}, verdictMark(outcome.pass)), element("td", {}, outcome.check),

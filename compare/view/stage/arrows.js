@@ -76,7 +76,8 @@ function arrowScale(camera, scene, kind) {
 function arrowsOf(view, engine, kind) {
     const {scene, frame, magnify} = view;
     if (kind === "causes") {
-        return magnify === 1 ? causesOf(scene, engine, frame).map(({at, force, name}) => ({at, vector: force, name})) : [];
+        const causes = magnify === 1 ? causesOf(scene, engine, frame) : [];
+        return causes.map(({at, force, name}) => ({at, vector: force, name}));
     }
     return engine.bodies.flatMap((body) => {
         const pose = drawnPose(scene, engine, frame, body, magnify);
@@ -103,13 +104,15 @@ function drawArrows(context, camera, view, engine) {
             if (name && Math.hypot(dx, dy) >= 4)
                 labels.push([`${name} ${quantity(Math.hypot(...vector), "N")}`, from[0] + dx, from[1] - dy, dx]);
         }
-        if (engine === guideOf(view) && labels.length <= MOST_NAMES) for (const label of labels) drawArrowName(context, view.theme, ...label);
+        if (engine !== guideOf(view) || labels.length > MOST_NAMES) continue;
+        for (const label of labels) drawArrowName(context, view.theme, ...label);
     }
 }
 
 function drawArrowName(context, theme, name, x, y, dx) {
     context.save();
-    labelOnPaper(context, {...theme, text: 0.85 * theme.text}, name, x + (dx < 0 ? -6 : 6), y, dx < 0 ? "right" : "left");
+    const side = dx < 0 ? -1 : 1;
+    labelOnPaper(context, {...theme, text: 0.85 * theme.text}, name, x + 6 * side, y, side < 0 ? "right" : "left");
     context.restore();
 }
 
@@ -133,7 +136,8 @@ function drawMomentumSum(context, camera, view) {
     context.lineWidth = 3;
     drawArrow(context, start, [x - start[0], y - start[1]], false);
     const sum = Math.hypot(...[0, 1].map((part) => momenta.reduce((total, p) => total + p[part], 0)));
-    labelOnPaper(context, view.theme, `sum of momenta: ${quantity(sum, "kg m/s")}`, start[0], start[1] - 1.6 * view.theme.text, "left");
+    const text = `sum of momenta: ${quantity(sum, "kg m/s")}`;
+    labelOnPaper(context, view.theme, text, start[0], start[1] - 1.6 * view.theme.text, "left");
 }
 
 const KEY_WORDS = {force: ", all forces together", causes: ", each force", acceleration: ", acceleration"};

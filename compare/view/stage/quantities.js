@@ -89,6 +89,7 @@ const PUSHES = ["normal", "friction", "joint"];
 /// What a force in a joint is called: by the kind of the joint.
 function jointForceName(joint) {
     if (!joint) return "joint";
+    if (joint.spring) return "spring";
     return {distance: "rod", pulley: "rope", revolute: "hinge", prismatic: "slide", wheel: "axle"}[joint.type] ?? joint.type;
 }
 

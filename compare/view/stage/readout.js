@@ -23,7 +23,8 @@ function stateBetween(scene, engine, frame, body, s) {
         return {time, x: a.pose.x + s * (b.pose.x - a.pose.x), y: a.pose.y + s * (b.pose.y - a.pose.y), velocity: null};
     }
     const part = (name, i) => hermite(s, h, [a.pose[name], a.velocity[i]], [b.pose[name], b.velocity[i]]);
-    return {time, x: part("x", 0), y: part("y", 1), velocity: [0, 1].map((i) => a.velocity[i] + s * (b.velocity[i] - a.velocity[i]))};
+    const velocity = [0, 1].map((i) => a.velocity[i] + s * (b.velocity[i] - a.velocity[i]));
+    return {time, x: part("x", 0), y: part("y", 1), velocity};
 }
 
 /// The change of a body's velocity in the step after a frame, beside what gravity does; null if it is not known [m/s].
@@ -57,7 +58,8 @@ function momentsOf(scene, engine, body) {
     const kept = engine.moments.get(body);
     if (kept?.ticks === engine.ticks) return kept.moments;
     const moments = [];
-    const up = Math.hypot(...scene.gravity) > 0 ? scene.gravity.map((part) => -part / Math.hypot(...scene.gravity)) : null;
+    const g = Math.hypot(...scene.gravity);
+    const up = g > 0 ? scene.gravity.map((part) => -part / g) : null;
     for (let frame = 0; frame + 1 < scene.times.length && moments.length < 60; ++frame) {
         const share = impactShare(scene, engine, frame, body);
         const before = velocityOf(scene, engine, frame, body), after = velocityOf(scene, engine, frame + 1, body);
@@ -84,7 +86,8 @@ function momentAt(view, px, py) {
     const take = (engine, body, state, bonus = 0) => {
         const far = Math.hypot(camera.x(state.x) - px, camera.y(state.y) - py) - bonus;
         // Of ways that lie on each other the first engine's counts.
-        if (far <= REACH - bonus && far < (best ? best.far - (best.engine === engine ? 0 : 2) : Infinity)) best = {far, engine, body, ...state};
+        const nearer = best ? best.far - (best.engine === engine ? 0 : 2) : Infinity;
+        if (far <= REACH - bonus && far < nearer) best = {far, engine, body, ...state};
     };
     for (const engine of scene.running) {
         if (view.hidden.has(engine.name) || engine.bodies.length > MOST_BODIES) continue;

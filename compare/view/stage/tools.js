@@ -6,7 +6,8 @@ const TOOLS = {ruler: 2, protractor: 3};  // and how many points each has
 /// The points at which a tool lies when it is taken: in the middle of what is seen.
 function toolPoints(camera, kind) {
     const [x, y, reach] = [camera.middleX, camera.middleY, 0.12 * camera.width / camera.scale];
-    return kind === "ruler" ? [[x - reach, y - reach], [x + reach, y - reach]] : [[x, y], [x + reach, y], [x + 0.7 * reach, y + 0.7 * reach]];
+    if (kind === "ruler") return [[x - reach, y - reach], [x + reach, y - reach]];
+    return [[x, y], [x + reach, y], [x + 0.7 * reach, y + 0.7 * reach]];
 }
 
 /// The point of a tool under a point of the stage, as {kind, index}; null if there is none.

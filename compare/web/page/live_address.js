@@ -9,8 +9,8 @@ function readAddress() {
         return Number.isFinite(value) ? value : otherwise;
     };
     const changed = fields.getAll("set").map((text) => text.split(/=(.*)/s).slice(0, 2));
-    return {name: fields.get("scene"), packed: fields.get("json"), changed, time: number("t", 0), play: fields.get("play") === "1",
-        speed: number("speed", 1)};
+    return {name: fields.get("scene"), packed: fields.get("json"), changed, time: number("t", 0),
+        play: fields.get("play") === "1", speed: number("speed", 1)};
 }
 
 async function through(stream, bytes) {

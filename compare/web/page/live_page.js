@@ -11,7 +11,8 @@ class LivePage {
         this.list = list;
         this.runs = new Runs(comparison);
         this.page = new ScenePage(() => this.settled(), (body, x, y) => this.grab(body, x, y));
-        this.panel = new Panel(byId("controls"), (paths, text, isOver) => this.change(paths, text, isOver), (fault) => this.refuse(fault));
+        this.panel = new Panel(byId("controls"), (paths, text, isOver) => this.change(paths, text, isOver),
+            (fault) => this.refuse(fault));
         this.schema = null;
         this.hand = null;
         this.picked = null;
@@ -109,7 +110,8 @@ class LivePage {
         const {runs, page, scene} = this;
         if (!scene || !runs.isOver) return;
         if (!runs.held && (!runs.isCrowd || inDetail)) runs.measure(inDetail);
-        if (!this.isPlacing && page.view.aim.zoom === 1 && page.view.aim.follow === null) page.view.box = sceneBox(scene);
+        const {zoom, follow} = page.view.aim;
+        if (!this.isPlacing && zoom === 1 && follow === null) page.view.box = sceneBox(scene);
         page.show(scene);
         byId("scene-changed").textContent = `Changed: ${this.changedText()}`;
         byId("held").hidden = !runs.held;
@@ -123,7 +125,9 @@ class LivePage {
     /// What was changed, as the panel calls it.
     changedText() {
         if (this.changed.size === 0) return "nothing";
-        return [...this.changed].map(([path, text]) => this.panel.said(path) ?? `${path} = ${text.replace(/-?\d+\.\d{4,}/g, (digits) => tidy(Number(digits)))}`).filter(Boolean).join(", ");
+        const short = (text) => text.replace(/-?\d+\.\d{4,}/g, (digits) => tidy(Number(digits)));
+        return [...this.changed].map(([path, text]) => this.panel.said(path) ?? `${path} = ${short(text)}`)
+            .filter(Boolean).join(", ");
     }
 
     /// From the start, and without the hand that pulled.
@@ -233,8 +237,8 @@ class LivePage {
     }
 
     holdOf(body, x, y) {
-        const engine = this.scene.running.find((each) => each.run !== undefined && each.pushesAt !== undefined && each.slots.has(body))
-            ?? this.scene.running[0];
+        const canTouch = (each) => each.run !== undefined && !isTruth(each.name) && each.slots.has(body);
+        const engine = this.scene.running.find(canTouch) ?? this.scene.running[0];
         const pose = poseOf(this.scene, engine, this.player.frame, body);
         if (!pose) return null;
         const [c, s] = [Math.cos(pose.angle), Math.sin(pose.angle)], [dx, dy] = [x - pose.x, y - pose.y];
@@ -289,8 +293,8 @@ class LivePage {
     settled() {
         const {player} = this;
         if (!this.scene) return undefined;
-        return writeAddress({name: this.name, json: this.json, changed: [...this.changed], time: player.time, play: player.playing,
-            speed: player.speed});
+        return writeAddress({name: this.name, json: this.json, changed: [...this.changed], time: player.time,
+            play: player.playing, speed: player.speed});
     }
 }
 

@@ -53,7 +53,8 @@ function wound(degrees) {
 }
 
 function polar(size, angle, [x0, y0] = [0, 0]) {
-    return [x0 + size * Math.cos(angle), y0 + size * Math.sin(angle)].map((part) => Number(part.toPrecision(15))).join(",");
+    const point = [x0 + size * Math.cos(angle), y0 + size * Math.sin(angle)];
+    return point.map((part) => Number(part.toPrecision(15))).join(",");
 }
 
 /// A number for a person: no more digits than say something.
@@ -71,9 +72,15 @@ function rangeFor(value, {minimum, exclusiveMinimum, maximum}, usual) {
 
 /// What pages offer for every scene.
 function generalControls(data, engines) {
-    const controls = [{set: ["gravity.1"], as: "downwards", label: "Gravity", unit: "m/s²", from: 0, to: 25, step: 0.01, meaning: "downwards"},
-        {set: ["dt"], as: "perSecond", label: "Steps a second", unit: "1/s", from: 15, to: 480, step: 1, meaning: "for all engines"},
-        {set: ["duration"], as: "number", label: "Duration", unit: "s", from: 0.5, to: Math.max(10, niceStep(data.duration)), step: 0.5, meaning: "of the run"}];
+    const longest = Math.max(10, niceStep(data.duration));
+    const controls = [
+        {set: ["gravity.1"], as: "downwards", label: "Gravity", unit: "m/s²", from: 0, to: 25, step: 0.01,
+            meaning: "downwards"},
+        {set: ["dt"], as: "perSecond", label: "Steps a second", unit: "1/s", from: 15, to: 480, step: 1,
+            meaning: "for all engines"},
+        {set: ["duration"], as: "number", label: "Duration", unit: "s", from: 0.5, to: longest, step: 0.5,
+            meaning: "of the run"},
+    ];
     for (const {name, label, numbers = []} of engines) {
         const subSteps = numbers.find((number) => number.name === "subSteps");
         if (!subSteps) continue;
@@ -88,13 +95,17 @@ function generalControls(data, engines) {
 function numbersOf(schema, definition, path, value, usual) {
     return Object.entries(schema.$defs[definition].properties).flatMap(([name, field]) => {
         const held = value?.[name];
-        const control = {set: [`${path}.${name}`], unit: field.unit === "-" ? "" : (field.unit ?? "").replace("^2", "²"), meaning: field.description ?? ""};
+        const unit = field.unit === "-" ? "" : (field.unit ?? "").replace("^2", "²");
+        const control = {set: [`${path}.${name}`], unit, meaning: field.description ?? ""};
         const label = name.replace(/([A-Z])/g, (letter) => ` ${letter.toLowerCase()}`);
         if (name === "velocity" && Array.isArray(held)) {
             return [{...control, as: "size", label: "speed", ...rangeFor(Math.hypot(...held), {minimum: 0}, 5)},
                 {...control, as: "direction", label: "direction", unit: "°", from: -180, to: 180, step: 1}];
         }
-        if (name === "mass") return [{...control, as: "number", label, unit: "kg", from: 0.01, to: 20, step: 0.01, meaning: "of the whole body"}];
+        if (name === "mass") {
+            return [{...control, as: "number", label, unit: "kg", from: 0.01, to: 20, step: 0.01,
+                meaning: "of the whole body"}];
+        }
         if (field.type === "number" && field.unit === "rad") {
             return [{...control, as: "degrees", label, unit: "°", from: -180, to: 180, step: 1}];
         }
@@ -108,7 +119,8 @@ function numbersOf(schema, definition, path, value, usual) {
 function bodyControls(schema, json, name) {
     const body = json.bodies.find((each) => each.name === name), path = `bodies.${name}`;
     const seldom = ["appears", "renewed", "gravityScale", "linearDamping", "angularDamping"];
-    const controls = numbersOf(schema, "SceneBody", path, body, 5).filter(({set: [each]}) => !seldom.includes(each.split(".").at(-1)));
+    const controls = numbersOf(schema, "SceneBody", path, body, 5)
+        .filter(({set: [each]}) => !seldom.includes(each.split(".").at(-1)));
     const [shape] = body.shapes;
     if (!shape) return controls;
     const kind = ["circle", "capsule", "box"].find((each) => shape[each]);
@@ -148,8 +160,8 @@ class Panel {
         slider.addEventListener("change", () => this.turn(row, slider.valueAsNumber, true));
         number.addEventListener("change", () => this.turn(row, number.valueAsNumber, true));
         this.rows.push(row);
-        return element("div", {class: "control", "data-set": control.set[0], "data-as": control.as}, element("label", {for: id}, control.label),
-            slider, number, element("span", {class: "unit"}, control.unit));
+        return element("div", {class: "control", "data-set": control.set[0], "data-as": control.as},
+            element("label", {for: id}, control.label), slider, number, element("span", {class: "unit"}, control.unit));
     }
 
     /// Shows what the scene holds now; not in a box in which a person writes.
@@ -185,15 +197,17 @@ class Panel {
     said(path) {
         const labels = this.turned.get(path);
         if (!labels) return null;
-        const rows = [...labels].map((label) => this.rows.find(({control}) => control.label === label && control.set[0] === path));
-        return rows.filter(Boolean).map(({control, number}) => `${control.label} ${number.value} ${control.unit}`.trim()).join(", ");
+        const rowOf = (label) => this.rows.find(({control}) => control.label === label && control.set[0] === path);
+        return [...labels].map(rowOf).filter(Boolean)
+            .map(({control, number}) => `${control.label} ${number.value} ${control.unit}`.trim()).join(", ");
     }
 
     turn(row, x, isOver) {
         const {control} = row;
         const isTooSmall = control.as === "size" && x < 0;
         if (!Number.isFinite(x) || isTooSmall) {
-            this.refuse(`${control.label}: ${isTooSmall ? "it is not negative; its direction is set below" : "a number is wanted"}`);
+            const why = isTooSmall ? "it is not negative; its direction is set below" : "a number is wanted";
+            this.refuse(`${control.label}: ${why}`);
             row.number.value = row.slider.value;
             return;
         }

@@ -168,5 +168,5 @@ class Runs {
 }
 
 const KEPT = "kept";
-const KEPT_LOOK = {name: KEPT, label: "Kept run", role: "guest", onLight: "#7a5195", onDark: "#cf9be0", dash: [2, 3], width: 2,
-    filled: false, ghost: false};
+const KEPT_LOOK = {name: KEPT, label: "Kept run", role: "guest", onLight: "#7a5195", onDark: "#cf9be0", dash: [2, 3],
+    width: 2, filled: false, ghost: false};

@@ -91,7 +91,7 @@ TEST_CASE("a changed scene is kept without the checks that hold for it as it was
     CHECK(runScene(live.scene(), {}, engines()).verdict == Verdict::Fails);
 }
 
-TEST_CASE("a hand carries a box up; when it lets go the box falls, and what it did before was kept", "[compare][web]") {
+TEST_CASE("a hand carries a box up, and when it lets go the box falls: what it did before is kept", "[compare][web]") {
     Live live = liveOf("box_at_rest");
     const std::size_t box = 1;
     live.start({subjectName()});
