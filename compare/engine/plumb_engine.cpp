@@ -20,10 +20,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 class PlumbSimulation : public Simulation {
 public:
     PlumbSimulation(const Scene& scene, const SolverSettings& solver)
-        : made_(plumbWorld(scene, {.solver = solver})),
-          movers_(scene, made_),
-          joints_(jointGeometries(scene)),
-          arrivals_(scene) {
+        : made_(plumbWorld(scene, {.solver = solver})), movers_(scene, made_), arrivals_(scene) {
         for (const Probe& probe : scene.probes) {
             if (const auto* count = std::get_if<SensorCountProbe>(&probe.quantity))
                 gates_.push_back({made_.bodies[bodyIndex(scene, count->body)], values_.size()});
@@ -86,7 +83,7 @@ public:
         return broken;
     }
 
-    std::vector<Push> pushes() const override { return plumbPushes(made_, joints_); }
+    std::vector<Push> pushes() const override { return plumbPushes(made_); }
 
     void hold(const std::optional<Hand>& hand) override {
         if (hand_ && made_.world.contains(*hand_)) made_.world.remove(*hand_);
@@ -140,7 +137,6 @@ private:
 
     PlumbWorld made_;
     PlumbMovers movers_;
-    std::vector<JointGeometry> joints_;
     Arrivals arrivals_;
     std::optional<JointId> hand_;
     int tick_ = 0;

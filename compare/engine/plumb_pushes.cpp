@@ -34,9 +34,9 @@ void addContacts(const PlumbWorld& made, const Places& places, std::size_t body,
     }
 }
 
-void addJoints(const PlumbWorld& made, const std::vector<JointGeometry>& joints, std::vector<Push>& pushes) {
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        const JointGeometry& joint = joints[i];
+void addJoints(const PlumbWorld& made, std::vector<Push>& pushes) {
+    for (std::size_t i = 0; i < made.geometries.size(); ++i) {
+        const JointGeometry& joint = made.geometries[i];
         if (joint.bodyB == noBody || !made.world.contains(made.joints[i])) continue;
         const Vec2 force = made.world.joint(made.joints[i]).reaction().force;
         const auto on = [&](std::size_t body, const Vec2& anchor, double side) {
@@ -51,12 +51,12 @@ void addJoints(const PlumbWorld& made, const std::vector<JointGeometry>& joints,
 
 }  // namespace
 
-std::vector<Push> plumbPushes(const PlumbWorld& made, const std::vector<JointGeometry>& joints) {
+std::vector<Push> plumbPushes(const PlumbWorld& made) {
     std::vector<Push> pushes;
     const Places places = placesOf(made);
     for (const auto& [id, body] : places)
         if (made.world.body(made.bodies[body]).type() == BodyType::Dynamic) addContacts(made, places, body, pushes);
-    addJoints(made, joints, pushes);
+    addJoints(made, pushes);
     return pushes;
 }
 

@@ -7,6 +7,6 @@
 namespace plumb::compare {
 
 /// At each contact point a normal and a friction force on each body that can move, and each joint's force.
-std::vector<Push> plumbPushes(const PlumbWorld& made, const std::vector<JointGeometry>& joints);
+std::vector<Push> plumbPushes(const PlumbWorld& made);
 
 }  // namespace plumb::compare

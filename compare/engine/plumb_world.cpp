@@ -45,15 +45,14 @@ PlumbWorld plumbWorld(const Scene& scene, WorldDef def) {
     def.gravity = scene.gravity;
     def.sleeping = scene.sleeping;
     def.wrap = scene.wrap;
-    PlumbWorld made{World(def), {}, {}};
+    PlumbWorld made{World(def), {}, {}, jointGeometries(scene)};
     made.world.reserve(capacityFor(scene));
     made.bodies.resize(scene.bodies.size());
     made.joints.resize(scene.joints.size());
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         if (bodyIsThereAtStart(scene, i)) putBody(made, scene, i);
-    const std::vector<JointGeometry> joints = jointGeometries(scene);
-    for (std::size_t i = 0; i < joints.size(); ++i)
-        if (jointIsThereAtStart(scene, joints, i)) putJoint(made, joints[i], i);
+    for (std::size_t i = 0; i < made.geometries.size(); ++i)
+        if (jointIsThereAtStart(scene, made.geometries, i)) putJoint(made, made.geometries[i], i);
     for (const SceneField& field : scene.fields) {
         FieldDef law = field.def;
         if (auto* magnet = std::get_if<Magnet>(&law.law)) magnet->body = made.bodies[bodyIndex(scene, field.body)];

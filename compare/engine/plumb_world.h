@@ -13,6 +13,7 @@ struct PlumbWorld {
     World world;
     std::vector<BodyId> bodies;
     std::vector<JointId> joints;
+    std::vector<JointGeometry> geometries;
 };
 
 /// Adds one of the scene's bodies or joints to the world, and puts its id at its place in the list.

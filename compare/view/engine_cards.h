@@ -9,8 +9,8 @@
 
 namespace plumb::compare {
 
-/// In the order in which they are shown: name, label, role, look and own numbers of the engines of this build, of those that the
-/// results have, and of variants with bullets.
+/// In the order in which they are shown: name, label, role, look and own numbers of the engines of this build, of those
+/// that the results have, and of variants with bullets.
 nlohmann::json engineCards(std::span<const SceneResult> results = {});
 
 }  // namespace plumb::compare

@@ -210,6 +210,13 @@ test('a scene from a file is read, and what is wrong with one is said', () => op
   const scene = execFileSync(join(root, 'build/release/bin/plumb-compare'), ['export', 'bounce_1', '--set', 'duration=3']);
   await page.setInputFiles('#take-json', { name: 'good.json', mimeType: 'application/json', buffer: scene });
   await page.waitForFunction(() => livePage.runs.data?.name === 'bounce_1', null, { polling: 20 });
+  // Its address holds the scene.
+  const address = page.url(), mine = await verdictOf(page, false);
+  assert.match(address, /#json=/);
+  await page.goto('about:blank');
+  await page.goto(address);
+  await page.waitForFunction(() => document.body.dataset.ready, null, { polling: 20 });
+  assert.equal((await verdictOf(page, false)).engines.plumb.hash, mine.engines.plumb.hash);
 }));
 
 test('neither the menu nor a scene has a fault that axe finds, light and dark, large and small', async () => {

@@ -10,30 +10,15 @@ function readReport() {
     return report;
 }
 
-function bytesOf(base64) {
-    const text = atob(base64);
-    const bytes = new Uint8Array(text.length);
-    for (let i = 0; i < bytes.length; ++i) bytes[i] = text.charCodeAt(i);
-    return bytes;
-}
-
 /// Base64 of little-endian doubles. The page needs a little-endian machine, as all browsers have.
 function unpack(text) {
     return new Float64Array(bytesOf(text).buffer);
 }
 
-async function inflated(bytes) {
-    const stream = new DecompressionStream("deflate");
-    const writer = stream.writable.getWriter();
-    writer.write(bytes);
-    writer.close();
-    return new Uint8Array(await new Response(stream.readable).arrayBuffer());
-}
-
 /// The words of a block. It has the lowest byte of every word first, then the next one: see
 /// compare/report/packed_numbers.h.
 async function wordsOf(packed) {
-    const bytes = await inflated(bytesOf(packed));
+    const bytes = await through(new DecompressionStream("deflate"), bytesOf(packed));
     const count = bytes.length / 4;
     const words = new Uint32Array(count);
     for (let i = 0; i < count; ++i) {

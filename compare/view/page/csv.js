@@ -16,10 +16,14 @@ function floatField(x) {
     return Number.isFinite(x) ? Number(x.toPrecision(7)) : null;
 }
 
-/// The columns of one body: its state, and its velocity from differences of the played states.
+/// The columns of one body: its state, and its velocity, from differences of the played states where that is all there
+/// is.
 function bodyColumns(scene, engine, body) {
     const {name} = scene.bodies[body];
     const rate = (frame, part) => {
+        if (engine.velocities) {
+            return rowOf(scene, engine, engine.velocities, frame, body)?.[["x", "y", "angle"].indexOf(part)] ?? null;
+        }
         const [a, b] = [Math.max(frame - 1, 0), Math.min(frame + 1, scene.times.length - 1)];
         const [from, to] = [a, b].map((at) => poseOf(scene, engine, at, body));
         if (!from || !to || a === b || isAround(scene, from, to)) return null;

@@ -43,8 +43,8 @@ function fillChoice(fieldset, name, choices, chosen, choose) {
     };
 }
 
-function download(fileName, text) {
-    const link = element("a", {download: fileName, href: URL.createObjectURL(new Blob([text], {type: "text/csv"}))});
+function download(fileName, content, type = "text/csv") {
+    const link = element("a", {download: fileName, href: URL.createObjectURL(new Blob([content], {type}))});
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }

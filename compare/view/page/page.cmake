@@ -6,7 +6,7 @@ set(PLUMB_VIEW_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
 
 # In this order: a script may use the scripts before it at once, and those after it once the page runs.
 set(PLUMB_VIEW_SCRIPTS
-    page/dom.js page/format.js page/formula.js page/engines.js page/data.js
+    page/dom.js page/bytes.js page/format.js page/formula.js page/engines.js page/data.js
     stage/pose.js stage/camera.js stage/paper.js stage/field.js stage/still.js stage/path.js
     stage/quantities.js stage/arrows.js stage/tools.js stage/readout.js stage/aim.js stage/stage.js stage/picture.js
     page/player.js page/curves.js page/limits.js page/chart.js page/charts.js page/csv.js page/numbers.js

@@ -147,8 +147,9 @@ class ScenePage {
         byId("stage-note").textContent = scene.stride === 1 ? ""
             : `Playback shows ${ticks}; the charts keep every peak.`;
         const sums = scene.curveStride === 1 ? "energy by kind, forces in joints where there are few" : "energy";
-        byId("files-note").textContent = `CSV, one file an engine, with ${ticks}: positions to ` +
-            `${quantity(scene.lengthStep, "m", 1)}, velocities from their differences, ${sums}, probes, ` +
+        const states = scene.lengthStep === 0 ? "positions, velocities"
+            : `positions to ${quantity(scene.lengthStep, "m", 1)}, velocities from their differences`;
+        byId("files-note").textContent = `CSV, one file an engine, with ${ticks}: ${states}, ${sums}, probes, ` +
             "and the distance to the closed form.";
     }
 

@@ -3,7 +3,7 @@
 // which the body is highest or hits something.
 
 const REACH = 14;  // of the pointer [px]
-const MOST_BODIES = 40;  // whose ways are looked at
+const MOST_BODIES = 12;  // whose ways are looked at
 
 /// The cubic through two values with these slopes at the ends of h (Hermite), at the share s of it.
 function hermite(s, h, [x0, v0], [x1, v1]) {

@@ -178,9 +178,8 @@ PLUMB_EXPORT(reset) double resetScene() {
 }
 /// Says the open scene as JSON with all its fields, or as it is kept in a file.
 PLUMB_EXPORT(exported) double exported(std::uint32_t everything) {
-    return tried([=] {
-        text = everything != 0 ? toJson(open().scene(), Defaults::Written) : toJson(open().sceneToKeep());
-    });
+    return tried(
+        [=] { text = everything != 0 ? toJson(open().scene(), Defaults::Written) : toJson(open().sceneToKeep()); });
 }
 
 /// Says the JSON Schema of scenes.

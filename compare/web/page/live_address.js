@@ -13,13 +13,6 @@ function readAddress() {
         play: fields.get("play") === "1", speed: number("speed", 1)};
 }
 
-async function through(stream, bytes) {
-    const writer = stream.writable.getWriter();
-    writer.write(bytes);
-    writer.close();
-    return new Uint8Array(await new Response(stream.readable).arrayBuffer());
-}
-
 async function packedJson(json) {
     const bytes = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(json));
     return base64Of(bytes).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
@@ -31,8 +24,8 @@ async function unpackedJson(packed) {
     return new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
 }
 
-async function writeAddress({name, json, changed, time, play, speed}) {
-    const fields = [json ? `json=${await packedJson(json)}` : `scene=${encodeURIComponent(name)}`];
+function writeAddress({name, packed, changed, time, play, speed}) {
+    const fields = [packed ? `json=${packed}` : `scene=${encodeURIComponent(name)}`];
     for (const [path, value] of changed) fields.push(`set=${encodeURIComponent(`${path}=${value}`)}`);
     if (time > 0) fields.push(`t=${Number(time.toFixed(4))}`);
     if (play) fields.push("play=1");

@@ -10,10 +10,6 @@ async function moduleBytes() {
     return new Uint8Array(await response.arrayBuffer());
 }
 
-function bytesOf(base64) {
-    return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-}
-
 function showView(name) {
     document.body.dataset.view = name;
     byId("overview").hidden = name !== "overview";
@@ -37,12 +33,10 @@ let readyScene = async () => {};
 
 function markInList(name, scenes) {
     for (const link of byId("scene-list-items").querySelectorAll("a")) {
-        const isHere = link.getAttribute("href") === sceneAddress({name});
-        link.toggleAttribute("aria-current", isHere);
-        if (isHere) {
-            link.setAttribute("aria-current", "page");
-            link.scrollIntoView({block: "nearest"});
-        }
+        link.removeAttribute("aria-current");
+        if (link.getAttribute("href") !== sceneAddress({name})) continue;
+        link.setAttribute("aria-current", "page");
+        link.scrollIntoView({block: "nearest"});
     }
     const at = scenes.findIndex((scene) => scene.name === name);
     byId("previous-scene").href = sceneAddress(scenes[(at + scenes.length - 1) % scenes.length]);

@@ -29,10 +29,10 @@ class LivePage {
     get scene() { return this.runs.scene; }
 
     /// What the address names. changed: [path, value]; wanted: engines, none for the usual ones.
-    open({name, json, changed = [], wanted = []}) {
+    open({name, json, packed, changed = [], wanted = []}) {
         this.runs.forget();
         this.name = name;
-        this.json = json;
+        this.packed = packed;
         this.picked = null;
         byId("keep").textContent = "Keep this run";
         if (json) this.runs.read(json);
@@ -140,17 +140,19 @@ class LivePage {
     // ---- changes
 
     change(paths, text, isOver) {
+        const before = this.runs.data;
+        let fault = "";
         try {
             for (const path of paths) {
                 this.runs.set(path, text);
                 this.changed.delete(path);
                 this.changed.set(path, text);
             }
-            byId("refused").textContent = "";
-            this.again();
         } catch (error) {
-            byId("refused").textContent = error.message;
+            fault = error.message;
         }
+        this.refuse(fault);
+        if (this.runs.data !== before) this.again();
         if (isOver) this.changeIsOver();
     }
 
@@ -169,7 +171,7 @@ class LivePage {
         this.again();
         this.page.aim.fit();
         this.page.view.box = sceneBox(this.scene);
-        byId("refused").textContent = "";
+        this.refuse("");
         this.showPanel();
         this.settled();
     }
@@ -292,8 +294,8 @@ class LivePage {
 
     settled() {
         const {player} = this;
-        if (!this.scene) return undefined;
-        return writeAddress({name: this.name, json: this.json, changed: [...this.changed], time: player.time,
+        if (!this.scene) return;
+        writeAddress({name: this.name, packed: this.packed, changed: [...this.changed], time: player.time,
             play: player.playing, speed: player.speed});
     }
 }

@@ -128,12 +128,16 @@ class Runs {
         const engine = this.scene.running.find(({name, run}) => isSubject(name) && run !== undefined);
         if (!engine) return;
         this.kept = {times: this.scene.times, bodies: engine.bodies, slots: engine.slots, ticks: engine.ticks,
-            poses: engine.poses, velocities: engine.velocities, names: this.data.bodies.map(({name}) => name)};
+            poses: engine.poses, velocities: engine.velocities};
         this.addKept();
     }
 
     forget() {
         this.kept = null;
+        this.dropKept();
+    }
+
+    dropKept() {
         if (!this.scene) return;
         for (const list of ["engines", "running"]) this.scene[list] = this.scene[list].filter(({name}) => name !== KEPT);
     }
@@ -142,8 +146,7 @@ class Runs {
     addKept() {
         const {kept, scene} = this;
         if (!kept) return;
-        this.forget();
-        this.kept = kept;
+        this.dropKept();
         const columns = 3 * kept.bodies.length;
         const resampled = (numbers) => {
             const rows = new Float64Array(columns * scene.times.length).fill(NaN);
