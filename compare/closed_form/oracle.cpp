@@ -66,6 +66,11 @@ std::vector<BodyState> closedFormStates(const Scene& scene, double t) {
     }
     const ClosedForm& form = *scene.closedForm;
     if (form.until > 0 && t > form.until + timeRounding) return states;
+    // What is static stays, whatever the formula: a spring that hangs from it would have no energy else.
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const BodyDef& def = scene.bodies[i].def;
+        if (def.type == BodyType::Static) states[i] = {def.position, def.angle, {0, 0}, 0};
+    }
     for (const BodyMotion& motion : form.bodies) {
         const std::string& name = std::visit([](const auto& m) -> const std::string& { return m.body; }, motion);
         const auto body = std::ranges::find(scene.bodies, name, &SceneBody::name);

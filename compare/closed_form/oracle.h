@@ -18,8 +18,9 @@ bool isWorkedOut(const ClosedForm& form);
 /// tests/compare/closed_form/follows_test.cpp
 ClosedForm workedOut(const Scene& scene);
 
-/// The state of each body of the scene, in its order, at t >= 0 [s]. All numbers of a state are NaN for a body that the
-/// closed form does not describe, and for every body if there is no closed form or t is after its until.
+/// The state of each body of the scene, in its order, at t >= 0 [s]. A static body is where it starts. All numbers of a
+/// state are NaN for another body that the closed form does not describe, and for every body if there is no closed form
+/// or t is after its until.
 /// Throws std::invalid_argument if a motion names a body that the scene does not have, and Unsupported if a motion
 /// cannot be computed from the scene's numbers. For many times, work out the closed form first: see workedOut.
 /// At the instant of an impact the state is the one just after it.

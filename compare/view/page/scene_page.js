@@ -146,7 +146,8 @@ class ScenePage {
         const ticks = scene.stride === 1 ? "every step" : `one step in ${scene.stride}`;
         byId("stage-note").textContent = scene.stride === 1 ? ""
             : `Playback shows ${ticks}; the charts keep every peak.`;
-        const sums = scene.curveStride === 1 ? "energy by kind, forces in joints where there are few" : "energy";
+        const sums = scene.curveStride > 1 ? "energy"
+            : `energy by kind${scene.running.some(({forces}) => forces.length > 0) ? ", forces in joints" : ""}`;
         const states = scene.lengthStep === 0 ? "positions, velocities"
             : `positions to ${quantity(scene.lengthStep, "m", 1)}, velocities from their differences`;
         byId("files-note").textContent = `CSV, one file an engine, with ${ticks}: ${states}, ${sums}, probes, ` +

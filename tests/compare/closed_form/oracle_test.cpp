@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <compare/check/verdict.h>
+#include <compare/engine/engine.h>
 #include <compare/scene/builtin.h>
 
 #include "catch.h"
@@ -95,6 +97,8 @@ TEST_CASE("a flight 0.001 m/s faster is seen as 0.001 m after 1 s", "[compare][c
 
 TEST_CASE("the closed form says nothing of other bodies, nor past its end", "[compare][closed_form]") {
     Scene scene = sceneOf(twoFlights);
+    CHECK_FALSE(unknown(closedFormStates(scene, 0.5).at(0)));  // static
+    scene.bodies.at(0).def.type = BodyType::Kinematic;
     CHECK(unknown(closedFormStates(scene, 0.5).at(0)));
     CHECK_FALSE(unknown(ballAt(scene, 100)));
     scene.closedForm->until = 2;
@@ -104,6 +108,14 @@ TEST_CASE("the closed form says nothing of other bodies, nor past its end", "[co
     scene.closedForm.reset();
     CHECK(closedFormStates(scene, 0).size() == 2);
     CHECK(unknown(ballAt(scene, 0)));
+}
+
+TEST_CASE("a spring that hangs from a static body has its energy in the closed form, too", "[compare][closed_form]") {
+    const Scene scene = findScene("spring_undamped").value();
+    RunOptions options;
+    options.engines = {"closed-form"};
+    const SceneResult result = runScene(scene, options, engines());
+    CHECK(result.engines.at(0).measured.metrics.at("energy_drift").value() < 1e-12);
 }
 
 TEST_CASE("a motion of a body that is not there is refused by name", "[compare][closed_form][errors]") {
