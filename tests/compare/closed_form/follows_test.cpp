@@ -98,7 +98,8 @@ double farthest(const Scene& worked, const std::vector<double>& times, const Row
     for (std::size_t i = 0; i < times.size(); ++i) {
         const std::vector<BodyState> truth = closedFormStates(worked, times[i]);
         for (std::size_t b = 0; b < truth.size(); ++b) {
-            if (!std::isfinite(truth[b].position.x())) continue;
+            const bool canMove = worked.bodies[b].def.type != BodyType::Static;  // what does not, the twin leaves out
+            if (!canMove || !std::isfinite(truth[b].position.x())) continue;
             const Vec2 off = worked.wrap.shortest(worked.wrap.place(truth[b].position), rows[i][b].position);
             apart = std::max({apart, off.norm(), reach * std::abs(truth[b].angle - rows[i][b].angle)});
         }
