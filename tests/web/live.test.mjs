@@ -267,6 +267,25 @@ test('a scene from a file is read, and what is wrong with one is said', () => op
   assert.equal((await verdictOf(page, false)).engines.plumb.hash, mine.engines.plumb.hash);
 }));
 
+test('an address that was cut, names no scene, or sets what is not there opens the page, and it says why', async () => {
+  const told = async (page, id) => {
+    await page.waitForFunction(wanted => document.querySelector(wanted).textContent, id, { polling: 20 });
+    return page.textContent(id);
+  };
+  for (const [hash, fault] of [['#json=q1YqSk', /link was cut/], ['#json=%%%', /link was cut/], ['#scene=free_fal', /"free_fal": the nearest is free_fall/]])
+    await openedLive(hash, async page => {
+      assert.match(await told(page, '#file-refused'), fault);
+      await turned(page, 'free_fall');
+      assert.equal(await page.textContent('#refused'), '');
+    });
+  await openedLive('#scene=projectile&set=gravity.1=abc&set=gravity.1=-5&set=bodies.nobody.mass=3', async page => {
+    assert.match(await told(page, '#refused'), /"abc" is not a number; .*"nobody" is not the name of one of them/);
+    assert.equal(await page.evaluate(() => JSON.parse(livePage.comparison.exported(true)).gravity[1]), -5);
+    await turned(page, 'free_fall');
+    assert.equal(await page.textContent('#refused'), '');
+  });
+});
+
 /** Runs look(name) at the menu and at two scenes of the open page. */
 async function atMenuAndScenes(page, look) {
   await look('the menu');

@@ -16,8 +16,6 @@ function base64Of(bytes) {
 
 /// The bytes that come out of a stream that packs or unpacks.
 async function through(stream, bytes) {
-    const writer = stream.writable.getWriter();
-    writer.write(bytes);
-    writer.close();
-    return new Uint8Array(await new Response(stream.readable).arrayBuffer());
+    const out = new Blob([bytes]).stream().pipeThrough(stream);
+    return new Uint8Array(await new Response(out).arrayBuffer());
 }

@@ -15,6 +15,7 @@
 #include <compare/scene/bench.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
+#include <compare/scene/named.h>
 #include <compare/scene/schema/schema.h>
 #include <compare/view/engine_cards.h>
 #include <compare/view/result_view.h>
@@ -64,8 +65,9 @@ Live& open() {
 Scene sceneNamed(const std::string& name) {
     if (std::optional<Scene> scene = findScene(name)) return *std::move(scene);
     const std::vector<BenchScene> found = findBenchScenes(name);
-    if (found.size() != 1) throw std::invalid_argument("there is no scene \"" + name + "\"");
-    return found.front().build();
+    if (found.size() == 1) return found.front().build();
+    const std::vector<std::string> known = namesOf(builtinScenes());
+    throw std::invalid_argument("there is no scene " + quoted(name) + ": the nearest is " + nearest(name, known));
 }
 
 /// What a page has to know of the open scene before it runs.

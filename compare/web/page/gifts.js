@@ -32,16 +32,7 @@ function bindGifts(live) {
     });
 }
 
-/// A scene that a person brings; what is wrong with it is said.
+/// A scene that a person brings.
 async function openJson(live, json) {
-    const packed = await packedJson(json);
-    try {
-        live.open({name: null, json, packed});
-        byId("refused").textContent = byId("file-refused").textContent = "";
-        showView("scene");
-        document.title = `${titleText(live.runs.data)} – Plumb live`;
-        live.settled();
-    } catch (error) {
-        byId("refused").textContent = byId("file-refused").textContent = error.message;
-    }
+    if (openScene(live, {name: null, json, packed: await packedJson(json)})) live.settled();
 }

@@ -19,8 +19,7 @@ async function packedJson(json) {
 }
 
 async function unpackedJson(packed) {
-    const text = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
-    const bytes = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+    const bytes = bytesOf(packed.replaceAll("-", "+").replaceAll("_", "/"));
     return new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
 }
 

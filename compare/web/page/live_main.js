@@ -43,24 +43,32 @@ function markInList(name, scenes) {
     byId("next-scene").href = sceneAddress(scenes[(at + 1) % scenes.length]);
 }
 
-async function openAddress(live, list) {
-    const wanted = readAddress();
-    const json = wanted.packed ? await unpackedJson(wanted.packed) : null;
-    const isKnown = list.scenes.some(({name}) => name === wanted.name);
-    if (!json && !isKnown) {
-        live.close();
-        document.title = "Plumb live";
-        showView("overview");
-        return;
-    }
+function showMenu(live, fault = "") {
+    live.close();
+    document.title = "Plumb live";
+    byId("file-refused").textContent = fault;
+    showView("overview");
+}
+
+/// Shows a scene; where it cannot be shown, the menu, and why. True if it is shown.
+function openScene(live, wanted) {
     showView("scene");
     try {
-        live.open({...wanted, json});
+        live.open(wanted);
     } catch (error) {
-        byId("refused").textContent = error.message;
-        return;
+        showMenu(live, error.message);
+        return false;
     }
     document.title = `${titleText(live.runs.data)} – Plumb live`;
+    return true;
+}
+
+async function openAddress(live, list) {
+    const wanted = readAddress();
+    if (!wanted.name && !wanted.packed) return showMenu(live);
+    const json = wanted.packed && await unpackedJson(wanted.packed).catch(() => null);
+    if (wanted.packed && !json) return showMenu(live, "The address holds no whole scene: perhaps the link was cut");
+    if (!openScene(live, {...wanted, json})) return;
     markInList(wanted.name, list.scenes);
     scrollTo(0, 0);
     const speed = SPEEDS.some(([choice]) => choice === wanted.speed) ? wanted.speed : 1;

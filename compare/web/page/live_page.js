@@ -28,7 +28,8 @@ class LivePage {
     get player() { return this.page.player; }
     get scene() { return this.runs.scene; }
 
-    /// What the address names. changed: [path, value]; wanted: engines, none for the usual ones.
+    /// What the address names. changed: [path, value]; wanted: engines, none for the usual ones. What cannot be set is
+    /// left out, and said; throws where there is no such scene, or its JSON is wrong.
     open({name, json, packed, changed = [], wanted = []}) {
         this.runs.forget();
         this.name = name;
@@ -37,8 +38,9 @@ class LivePage {
         byId("keep").textContent = "Keep this run";
         if (json) this.runs.read(json);
         else this.runs.open(name);
-        for (const [path, value] of changed) this.runs.set(path, value);
-        this.changed = new Map(changed);
+        this.changed = new Map();
+        const faults = changed.map(([path, value]) => this.set(path, value)).filter(Boolean);
+        this.refuse(faults.join("; "));
         this.panel.turned.clear();
         this.panel.angles.clear();
         this.wanted = wanted.length > 0 ? wanted : this.runs.isCrowd ? [subjectName(this.list)] : [];
@@ -141,19 +143,22 @@ class LivePage {
 
     change(paths, text, isOver) {
         const before = this.runs.data;
-        let fault = "";
-        try {
-            for (const path of paths) {
-                this.runs.set(path, text);
-                this.changed.delete(path);
-                this.changed.set(path, text);
-            }
-        } catch (error) {
-            fault = error.message;
-        }
-        this.refuse(fault);
+        const faults = paths.map((path) => this.set(path, text)).filter(Boolean);
+        this.refuse(faults[0] ?? "");
         if (this.runs.data !== before) this.again();
         if (isOver) this.changeIsOver();
+    }
+
+    /// Why a field cannot be set so; "" if it is set.
+    set(path, text) {
+        try {
+            this.runs.set(path, text);
+        } catch (error) {
+            return error.message;
+        }
+        this.changed.delete(path);
+        this.changed.set(path, text);
+        return "";
     }
 
     refuse(fault) {
