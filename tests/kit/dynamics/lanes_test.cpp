@@ -388,7 +388,7 @@ TEST_CASE("contacts are solved to the same bits one by one and at 4, 8 and 16 la
         Random random(seed);
         const Pile start = randomPile(random);
         Pile reference = start;
-        solveAll(scalarContactSolver, reference);
+        solveAll(contactSolver(1), reference);
         for (const int lanes : {4, 8, 16}) {
             Pile pile = start;
             solveAll(contactSolver(lanes), pile);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
+#include <plumb/dynamics/contacts/lanes/point_kinematics.h>
 
 namespace plumb {
 
@@ -96,16 +97,14 @@ void scaleSide(ContactBatch& batch, std::size_t lane, bool isA, float ratio) {
     (isA ? batch.rollInverseGyrationA : batch.rollInverseGyrationB)[lane] *= ratio;
 }
 
-/// The effective masses of the contact in a lane (formula in contact_solver.h). A mass of 0 says that there is no such
-/// point, and stays 0.
+/// The effective masses of the contact in a lane (formula in point_kinematics.h). A mass of 0 says that there is no
+/// such point, and stays 0.
 void findMasses(ContactBatch& batch, std::size_t lane, const std::vector<SolverVelocity>& velocity) {
     const float a = velocity[batch.bodyA[lane]].inverseMass, b = velocity[batch.bodyB[lane]].inverseMass;
-    const auto massOf = [a, b](float anchorA, float anchorB) {
-        return 1.0f / (a * (anchorA * anchorA + 1.0f) + b * (anchorB * anchorB + 1.0f));
-    };
     for (PointLanes& p : batch.points) {
-        if (p.normalMass[lane] > 0) p.normalMass[lane] = massOf(p.anchorTangentA[lane], p.anchorTangentB[lane]);
-        if (p.tangentMass[lane] > 0) p.tangentMass[lane] = massOf(p.anchorNormalA[lane], p.anchorNormalB[lane]);
+        const LaneArms<1> arms = LaneArms<1>::of(p, static_cast<int>(lane));
+        if (p.normalMass[lane] > 0) p.normalMass[lane] = 1 / arms.normalInverse(a, b);
+        if (p.tangentMass[lane] > 0) p.tangentMass[lane] = 1 / arms.tangentInverse(a, b);
     }
     const float rollA = batch.rollInverseGyrationA[lane], rollB = batch.rollInverseGyrationB[lane];
     if (batch.rollMass[lane] > 0) batch.rollMass[lane] = 1 / (a * rollA * rollA + b * rollB * rollB);

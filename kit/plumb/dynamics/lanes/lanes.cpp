@@ -8,6 +8,7 @@ namespace plumb {
 
 /// The code for one lane is compiled here, for any machine. That for more lanes is in sources of their own, each
 /// compiled with the flags of its instruction set: only there may the compiler use these instructions.
+template struct WideContactSolver<1>;
 template struct WideLaneCollider<1>;
 template struct WideHingeSolver<1>;
 template struct WideBodySolver<1>;
@@ -40,13 +41,8 @@ const Code& codeFor(int lanes) {
 }  // namespace
 
 const ContactSolver& contactSolver(int lanes) {
-    if (lanes == 1) return scalarContactSolver;  // contacts that share bodies have to be solved one by one
-    return forLanes(lanes, []<int W>() -> const ContactSolver& {
-        if constexpr (W == 1)
-            return scalarContactSolver;
-        else
-            return WideContactSolver<W>::code;
-    });
+    if (lanes == 1) return WideContactSolver<1>::code;  // contacts that share bodies have to be solved one by one
+    return codeFor<ContactSolver, WideContactSolver>(lanes);
 }
 
 const LaneCollider& laneCollider(int lanes) {

@@ -66,7 +66,7 @@ public:
         addContacts();
         SolverBodies moved;
         moved.velocity = shifts_.data();
-        scalarContactSolver.solve(batches_.data(), count_, moved, pass);
+        contactSolver(1).solve(batches_.data(), count_, moved, pass);
         for (std::size_t i = 0; i < touched_.size(); ++i)
             if (pushes(touched_[i])) push(touched_[i]);
     }

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How do contacts change the velocities of bodies?
 //
-// For a contact point with normal n (from A to B), tangent t = perp(n), and anchors r: components along n and t, times
-// rho, the inverse of the body's radius of gyration; w = omega / rho:
-//   vn = n.(vB - vA) - rtB wB + rtA wA          speed at which it opens
-//   vt = t.(vB - vA) + rnB wB - rnA wA + belt   speed at which B's surface slides along t
-//   1/kn = mA (1 + rtA^2) + mB (1 + rtB^2)      effective inverse mass (mA, mB inverse masses), kt with rn
-//   s = s0 + n.(dB - dA) + rotation terms       separation after the displacements dA, dB
-// v velocity [m/s], belt surfaceSpeed [m/s], s0 separation at the step's start [m], h sub-step [s], mu friction [-]
+// vn, vt, s: see point_kinematics.h; to vt the belt's surfaceSpeed is added; h sub-step [s], mu friction [-].
 // solve makes vn at least -s/h, so that the points just meet; if they overlap, it pushes them apart at the soft rate.
 // relax removes this push from the velocity again. The two points of a contact are solved together (two_points.h).
 // Friction is limited to mu times the normal impulse, and the torque against rolling to rollingArm times the normal
@@ -49,6 +43,9 @@ struct ContactImpulses {
 };
 /// The present impulses of a lane.
 ContactImpulses impulsesOf(const ContactBatch& batch, std::size_t lane);
+/// The separation of a point at the bodies' present displacements [m].
+float separationNow(const ContactBatch& batch, std::size_t point, std::size_t lane,
+                    const SolverDisplacement* displacement);
 /// Takes back what a lane has added since it had these impulses.
 void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactImpulses& start);
 /// Solves one lane once more, after solve or relax. solved: the impulses before relax.
@@ -56,15 +53,13 @@ void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies
 void relaxLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass,
                const ContactImpulses& solved);
 
-/// Solves one lane after the other: the reference, short enough for teaching.
-extern const ContactSolver scalarContactSolver;
-
 template <int W>
 struct WideContactSolver {
     static const ContactSolver code;
 };
 
-/// The solver for the largest number of lanes that the machine supports, at most `lanes`.
+/// The solver for the largest number of lanes that the machine supports, at most `lanes`; that for one solves contacts
+/// one after the other, so they may share bodies.
 const ContactSolver& contactSolver(int lanes);
 
 }  // namespace plumb

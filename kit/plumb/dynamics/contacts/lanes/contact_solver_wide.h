@@ -1,116 +1,29 @@
 // SPDX-License-Identifier: MIT
-// How are W lanes of contacts solved with vector operations? The formulas are those of the scalar solver
-// (contact_solver.cpp), which explains them; each float there is a vector of W floats here. Sums are in the same order,
-// with the same parentheses, so that the results have the same bits.
+// How are W lanes of contacts solved? One at a time with W = 1, where each value is a float; several side by side with
+// vector operations. Sums are in the same order, with the same parentheses, so that the results have the same bits.
 // Test: "contacts are solved to the same bits one by one and at 4, 8 and 16 lanes"
 #pragma once
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
+#include <plumb/dynamics/contacts/lanes/point_kinematics.h>
 #include <plumb/dynamics/contacts/lanes/two_points.h>
-#include <plumb/math/detail/wide_rows.h>
 
 namespace plumb {
 
 template <int W>
 struct WideContacts {
     using F = typename Wide<W>::Float;
-    /// Of velocities, z is w = omega / rho, and w is the inverse mass; of displacements, z and w are sin and cosMinus1.
-    using Bodies = Rows<W>;
-
-    static constexpr F all(float value) { return F{} + value; }
-    static F at(const float* lanes) { return loadLanes<W>(lanes); }
-    static const float* rows(const SolverVelocity* v) { return &v->x; }
-    static float* rows(SolverVelocity* v) { return &v->x; }
-
-    /// The two bodies of W lanes, and the contacts' normals.
-    struct BodyPair {
-        Bodies a, b;
-        F nx, ny;
-    };
-
-    // Always inlined: arguments of a call are passed through memory where vectors are wide, and each lane has many.
-    [[gnu::always_inline]] static inline BodyPair load(const ContactBatch& batch, int lane,
-                                                       const SolverVelocity* velocity) {
-        return {loadRows<W>(rows(velocity), batch.bodyA + lane), loadRows<W>(rows(velocity), batch.bodyB + lane),
-                at(batch.normalX + lane), at(batch.normalY + lane)};
-    }
-    // Lanes of a batch share no body that moves, so that no store undoes another one. A wall may be in several: all of
-    // them store the row that they have loaded.
-    [[gnu::always_inline]] static inline void store(const ContactBatch& batch, int lane, const BodyPair& c,
-                                                    SolverVelocity* velocity) {
-        storeRows<W>(rows(velocity), batch.bodyA + lane, c.a);
-        storeRows<W>(rows(velocity), batch.bodyB + lane, c.b);
-    }
-
+    using I = typename Wide<W>::Int;
+    using M = typename Wide<W>::Mask;
+    using Pair = BodyPair<W>;
     using Points = TwoPoints<F>;
     using Each = typename Points::Each;
 
-    /// The anchors of a point.
-    struct Arms {
-        F normalA, tangentA, normalB, tangentB;
-    };
-    [[gnu::always_inline]] static inline Arms arms(const PointLanes& p, int lane) {
-        return {at(p.anchorNormalA + lane), at(p.anchorTangentA + lane), at(p.anchorNormalB + lane),
-                at(p.anchorTangentB + lane)};
-    }
-
-    [[gnu::always_inline]] static inline F normalSpeed(const BodyPair& c, const Arms& r) {
-        return (c.nx * (c.b.x - c.a.x) + c.ny * (c.b.y - c.a.y)) + (r.tangentA * c.a.z - r.tangentB * c.b.z);
-    }
-    [[gnu::always_inline]] static inline F tangentSpeed(const BodyPair& c, const Arms& r) {
-        return (c.nx * (c.b.y - c.a.y) - c.ny * (c.b.x - c.a.x)) + (r.normalB * c.b.z - r.normalA * c.a.z);
-    }
-    [[gnu::always_inline]] static inline void pushNormal(BodyPair& c, const Arms& r, F impulse) {
-        const F ja = c.a.w * impulse;
-        const F jb = c.b.w * impulse;
-        c.a.x -= ja * c.nx;
-        c.a.y -= ja * c.ny;
-        c.a.z += ja * r.tangentA;
-        c.b.x += jb * c.nx;
-        c.b.y += jb * c.ny;
-        c.b.z -= jb * r.tangentB;
-    }
-    [[gnu::always_inline]] static inline void pushTangent(BodyPair& c, const Arms& r, F impulse) {
-        const F ja = c.a.w * impulse;
-        const F jb = c.b.w * impulse;
-        c.a.x += ja * c.ny;
-        c.a.y -= ja * c.nx;
-        c.a.z -= ja * r.normalA;
-        c.b.x -= jb * c.ny;
-        c.b.y += jb * c.nx;
-        c.b.z += jb * r.normalB;
-    }
-    static void twist(BodyPair& c, const ContactBatch& batch, int lane, F impulse) {
-        c.a.z -= c.a.w * (at(batch.rollInverseGyrationA + lane) * impulse);
-        c.b.z += c.b.w * (at(batch.rollInverseGyrationB + lane) * impulse);
-    }
-
-    [[gnu::always_inline]] static inline F separationNow(const ContactBatch& batch, const PointLanes& p, const Arms& r,
-                                                         int lane, const BodyPair& c, const Bodies& a,
-                                                         const Bodies& b) {
-        const F shift = c.nx * (b.x - a.x) + c.ny * (b.y - a.y);
-        const F innerA = r.normalA - at(batch.roundA + lane);
-        const F innerB = r.normalB + at(batch.roundB + lane);
-        const F turnA = innerA * a.w - r.tangentA * a.z;
-        const F turnB = innerB * b.w - r.tangentB * b.z;
-        return at(p.startSeparation + lane) + (shift + (turnB - turnA));
-    }
-
+    static constexpr F all(float value) { return F{} + value; }
+    static F at(const float* lanes) { return loadLanes<W>(lanes); }
     /// A number of both points.
     [[gnu::always_inline]] static inline Each each(const ContactBatch& batch, int lane,
                                                    Lanes<float> PointLanes::*field) {
         return {{at(batch.points[0].*field + lane), at(batch.points[1].*field + lane)}};
-    }
-    [[gnu::always_inline]] static inline Points pointsOf(const ContactBatch& batch, int lane, const BodyPair& c,
-                                                         const Arms* r) {
-        return Points::of(each(batch, lane, &PointLanes::normalMass), c.a.w, c.b.w, {{r[0].tangentA, r[1].tangentA}},
-                          {{r[0].tangentB, r[1].tangentB}});
-    }
-    [[gnu::always_inline]] static inline void setNormals(BodyPair& c, ContactBatch& batch, int lane, const Arms* r,
-                                                         const Each& old, const Each& now) {
-        for (int i = 0; i < 2; ++i) {
-            storeLanes(batch.points[i].normalImpulse + lane, now.at[i]);
-            pushNormal(c, r[i], now.at[i] - old.at[i]);
-        }
     }
 
     /// The impulses of the first half of the sub-step, which the second half may take back; 0 during the first half.
@@ -119,55 +32,94 @@ struct WideContacts {
         F roll{};
     };
 
-    /// The impulse of this half of the sub-step, so that it and the one before are together within the limit.
-    static F clamped(F wanted, F limit, F before) { return larger(smaller(wanted, limit - before), -limit - before); }
+    /// The two bodies and the anchors of both points.
+    struct Contact {
+        Pair pair;
+        LaneArms<W> r[2];
 
-    static void solveRolling(BodyPair& c, ContactBatch& batch, int lane, const Each& normal, const Solved& solved) {
+        [[gnu::always_inline]] inline Points points(const ContactBatch& batch, int lane) const {
+            return Points::of(each(batch, lane, &PointLanes::normalMass), pair.a.w, pair.b.w,
+                              {{r[0].tangentA, r[1].tangentA}}, {{r[0].tangentB, r[1].tangentB}});
+        }
+        [[gnu::always_inline]] inline void pushNormals(const Each& old, const Each& now) {
+            for (int i = 0; i < 2; ++i) pair.pushNormal(r[i], now.at[i] - old.at[i]);
+        }
+        [[gnu::always_inline]] inline void pushTangents(const Each& old, const Each& now) {
+            for (int i = 0; i < 2; ++i) pair.pushTangent(r[i], now.at[i] - old.at[i]);
+        }
+    };
+
+    [[gnu::always_inline]] static inline Contact load(const ContactBatch& batch, int lane,
+                                                      const SolverVelocity* velocity) {
+        return {Pair::of(batch, lane, &velocity->x),
+                {LaneArms<W>::of(batch.points[0], lane), LaneArms<W>::of(batch.points[1], lane)}};
+    }
+
+    /// Replaces the impulses of both points: the velocities change by the difference. So the sum of all passes stays
+    /// limited, not each change (accumulated impulses).
+    [[gnu::always_inline]] static inline void setNormals(Contact& c, ContactBatch& batch, int lane, const Each& old,
+                                                         const Each& now) {
+        for (int i = 0; i < 2; ++i) storeLanes(batch.points[i].normalImpulse + lane, now.at[i]);
+        c.pushNormals(old, now);
+    }
+    [[gnu::always_inline]] static inline void setTangents(Contact& c, ContactBatch& batch, int lane, const Each& old,
+                                                          const Each& now) {
+        for (int i = 0; i < 2; ++i) storeLanes(batch.points[i].tangentImpulse + lane, now.at[i]);
+        c.pushTangents(old, now);
+    }
+
+    /// A torque against rolling on each other, limited to rollingArm times the normal impulse of both halves: the
+    /// resistance of a wheel that is pressed flat. Test: "a disc with rolling resistance 0.2 slows down at 2/3 0.2 g =
+    /// 1.308 m/s^2 and stands after 1.53 s"
+    static void solveRolling(Pair& c, ContactBatch& batch, int lane, const Each& normal, const Solved& solved) {
         const F old = at(batch.rollImpulse + lane);
         const F limit =
             at(batch.rollingArm + lane) * ((solved.normal.at[0] + normal.at[0]) + (solved.normal.at[1] + normal.at[1]));
         const F speed = at(batch.rollInverseGyrationB + lane) * c.b.z - at(batch.rollInverseGyrationA + lane) * c.a.z;
-        const F now = clamped(old - at(batch.rollMass + lane) * speed, limit, solved.roll);
+        const F wanted = old - at(batch.rollMass + lane) * speed;
+        const F now = larger(smaller(wanted, limit - solved.roll), -limit - solved.roll);
         storeLanes(batch.rollImpulse + lane, now);
-        twist(c, batch, lane, now - old);
+        c.twist(batch, lane, now - old);
     }
 
-    /// Returns the tangent impulses.
-    [[gnu::always_inline]] static inline Each solveAlong(BodyPair& c, ContactBatch& batch, int lane, const Arms* r,
-                                                         const Each& normal, const Solved& solved) {
+    /// After the normal impulses, so that the limit is known even in a contact's first sub-step: friction of both
+    /// halves together is limited to mu times the normal impulse of both (Coulomb's cone). Returns the tangent
+    /// impulses.
+    [[gnu::always_inline]] static inline Each solveAlong(Contact& c, ContactBatch& batch, int lane, const Each& normal,
+                                                         const Solved& solved) {
         const F friction = at(batch.friction + lane);
         const F belt = batch.hasSurfaceSpeed ? at(batch.surfaceSpeed + lane) : F{};
         const Each old = each(batch, lane, &PointLanes::tangentImpulse);
         const Each now = Points::tangents(
             each(batch, lane, &PointLanes::tangentMass), old, solved.tangent,
-            {{tangentSpeed(c, r[0]) + belt, tangentSpeed(c, r[1]) + belt}},
+            {{c.pair.tangentSpeed(c.r[0]) + belt, c.pair.tangentSpeed(c.r[1]) + belt}},
             {{friction * (solved.normal.at[0] + normal.at[0]), friction * (solved.normal.at[1] + normal.at[1])}});
-        for (int i = 0; i < 2; ++i) {
-            storeLanes(batch.points[i].tangentImpulse + lane, now.at[i]);
-            pushTangent(c, r[i], now.at[i] - old.at[i]);
-        }
-        if (batch.hasRollingResistance) solveRolling(c, batch, lane, normal, solved);
+        setTangents(c, batch, lane, old, now);
+        if (batch.hasRollingResistance) solveRolling(c.pair, batch, lane, normal, solved);
         return now;
     }
 
+    /// Once a step, before the first sub-step. Bodies gather the velocity changes by the impulses of all their
+    /// contacts, and kickBodies applies them in each half: so the contacts are not passed again for that.
     static void gatherLanes(const ContactBatch& batch, int lane, const SolverBodies& bodies) {
-        BodyPair c = load(batch, lane, bodies.warm);
-        c.a.w = loadRows<W>(rows(bodies.velocity), batch.bodyA + lane).w;
-        c.b.w = loadRows<W>(rows(bodies.velocity), batch.bodyB + lane).w;
-        for (const PointLanes& p : batch.points) {
-            const Arms r = arms(p, lane);
-            pushNormal(c, r, at(p.normalImpulse + lane));
-            pushTangent(c, r, at(p.tangentImpulse + lane));
+        Contact c = load(batch, lane, bodies.warm);
+        c.pair.a.w = loadRows<W>(&bodies.velocity->x, batch.bodyA + lane).w;
+        c.pair.b.w = loadRows<W>(&bodies.velocity->x, batch.bodyB + lane).w;
+        for (int i = 0; i < 2; ++i) {
+            c.pair.pushNormal(c.r[i], at(batch.points[i].normalImpulse + lane));
+            c.pair.pushTangent(c.r[i], at(batch.points[i].tangentImpulse + lane));
         }
-        if (batch.hasRollingResistance) twist(c, batch, lane, at(batch.rollImpulse + lane));
-        c.a.w = c.b.w = F{};
-        store(batch, lane, c, bodies.warm);
+        if (batch.hasRollingResistance) c.pair.twist(batch, lane, at(batch.rollImpulse + lane));
+        // warm is added to velocity as a whole, which must keep its inverse mass.
+        c.pair.a.w = c.pair.b.w = F{};
+        c.pair.store(batch, lane, &bodies.warm->x);
     }
 
+    /// The first half of a sub-step: a gap may close within h (hard), an overlap is pushed out at the soft rate, but
+    /// not faster than pushSpeed. bias: s/h, or biasRate s; share: massScale of softness.h.
     [[gnu::always_inline]] static inline void solveLanes(ContactBatch& batch, int lane, const SolverBodies& bodies,
                                                          const ContactPass& pass) {
-        BodyPair c = load(batch, lane, bodies.velocity);
-        const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
+        Contact c = load(batch, lane, bodies.velocity);
         const Each old = each(batch, lane, &PointLanes::normalImpulse);
         Each speed, share;
         for (int i = 0; i < 2; ++i) {
@@ -176,64 +128,78 @@ struct WideContacts {
             const auto apart = s > F{};
             const F bias = apart ? s * pass.inverseStep : larger(pass.soft.biasRate * s, all(-pass.pushSpeed));
             share.at[i] = apart ? all(1) : all(pass.soft.massScale);
-            speed.at[i] = normalSpeed(c, r[i]) + bias;
+            speed.at[i] = c.pair.normalSpeed(c.r[i]) + bias;
         }
-        const Each normal = pointsOf(batch, lane, c, r).normals(old, speed, share);
-        setNormals(c, batch, lane, r, old, normal);
-        solveAlong(c, batch, lane, r, normal, Solved{});
-        store(batch, lane, c, bodies.velocity);
+        const Each normal = c.points(batch, lane).normals(old, speed, share);
+        setNormals(c, batch, lane, old, normal);
+        solveAlong(c, batch, lane, normal, Solved{});
+        c.pair.store(batch, lane, &bodies.velocity->x);
     }
 
-    [[gnu::always_inline]] static inline void relaxLanes(ContactBatch& batch, int lane, const SolverBodies& bodies,
-                                                         const ContactPass& pass) {
-        BodyPair c = load(batch, lane, bodies.velocity);
-        const Bodies da = loadRows<W>(&bodies.displacement->x, batch.bodyA + lane);
-        const Bodies db = loadRows<W>(&bodies.displacement->x, batch.bodyB + lane);
-        const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
-        const Solved solved{each(batch, lane, &PointLanes::normalImpulse),
-                            each(batch, lane, &PointLanes::tangentImpulse),
-                            batch.hasRollingResistance ? at(batch.rollImpulse + lane) : F{}};
+    /// The second half of a sub-step. kickBodies has applied the impulses of the first half once more, as a guess; here
+    /// the sum of both halves is limited to a push, so the second half may take back what the first half gave to
+    /// correct positions. Where a gap s is left, the points may close it within h, and no faster. old: of this half, so
+    /// far. The impulses of both halves, added to the totals, count for events, friction loads and bounces. pushed
+    /// tells storeBodies that the two bodies do not fly freely.
+    [[gnu::always_inline]] static inline void relaxPoints(Contact& c, ContactBatch& batch, int lane,
+                                                          const ContactPass& pass, const Solved& solved,
+                                                          const Each& old, const Each& s) {
         Each speed, normal;
         for (int i = 0; i < 2; ++i) {
-            const F s = separationNow(batch, batch.points[i], r[i], lane, c, da, db);
-            storeLanes(batch.points[i].separation + lane, s);
-            speed.at[i] = normalSpeed(c, r[i]) + larger(s, F{}) * pass.inverseStep;
-            // The sum of both halves, the second one as guessed: kickBodies has applied the first one's impulse again.
-            normal.at[i] = solved.normal.at[i] + solved.normal.at[i];
+            speed.at[i] = c.pair.normalSpeed(c.r[i]) + larger(s.at[i], F{}) * pass.inverseStep;
+            normal.at[i] = solved.normal.at[i] + old.at[i];
         }
-        normal = pointsOf(batch, lane, c, r).normals(normal, speed, {{all(1), all(1)}});
+        normal = c.points(batch, lane).normals(normal, speed, {{all(1), all(1)}});
         for (int i = 0; i < 2; ++i) normal.at[i] = normal.at[i] - solved.normal.at[i];
-        setNormals(c, batch, lane, r, solved.normal, normal);
-        const Each tangent = solveAlong(c, batch, lane, r, normal, solved);
-        auto pushed = loadLanes<W>(batch.pushed + lane);
+        setNormals(c, batch, lane, old, normal);
+        const Each tangent = solveAlong(c, batch, lane, normal, solved);
+        I pushed = loadLanes<W>(batch.pushed + lane);
         for (int i = 0; i < 2; ++i) {
             PointLanes& p = batch.points[i];
             storeLanes(p.totalNormal + lane, at(p.totalNormal + lane) + (solved.normal.at[i] + normal.at[i]));
             storeLanes(p.totalTangent + lane, at(p.totalTangent + lane) + (solved.tangent.at[i] + tangent.at[i]));
-            // A comparison is a mask of all ones: -1, as in the scalar solver.
-            pushed |= (solved.normal.at[i] > F{}) | (normal.at[i] > F{});
+            pushed = either<M>(solved.normal.at[i] > F{}, normal.at[i] > F{}) ? I{} - 1 : pushed;
         }
         storeLanes(batch.pushed + lane, pushed);
-        store(batch, lane, c, bodies.velocity);
     }
 
+    [[gnu::always_inline]] static inline Solved impulses(const ContactBatch& batch, int lane) {
+        return {each(batch, lane, &PointLanes::normalImpulse), each(batch, lane, &PointLanes::tangentImpulse),
+                batch.hasRollingResistance ? at(batch.rollImpulse + lane) : F{}};
+    }
+    [[gnu::always_inline]] static inline void relaxLanes(ContactBatch& batch, int lane, const SolverBodies& bodies,
+                                                         const ContactPass& pass) {
+        Contact c = load(batch, lane, bodies.velocity);
+        const Pair moved = Pair::of(batch, lane, &bodies.displacement->x);
+        const Solved solved = impulses(batch, lane);
+        Each s;
+        for (int i = 0; i < 2; ++i) {
+            s.at[i] = moved.separation(batch, batch.points[i], lane, c.r[i]);
+            storeLanes(batch.points[i].separation + lane, s.at[i]);
+        }
+        relaxPoints(c, batch, lane, pass, solved, solved.normal, s);
+        c.pair.store(batch, lane, &bodies.velocity->x);
+    }
+
+    /// Once, at the step's end: the points part at e times their approach at the step's start, but only where they have
+    /// pushed, so that what was only near does not bounce. As before, it is the sum of a point's impulses that may not
+    /// pull. A point that does not bounce takes no part: its impulse stays what it was.
     static void bounceLanes(ContactBatch& batch, int lane, const SolverBodies& bodies) {
-        BodyPair c = load(batch, lane, bodies.velocity);
-        const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
+        Contact c = load(batch, lane, bodies.velocity);
         const Each old = each(batch, lane, &PointLanes::totalNormal),
                    target = each(batch, lane, &PointLanes::bounceSpeed);
-        Points points = pointsOf(batch, lane, c, r);
-        const auto first = (target.at[0] > F{}) & (old.at[0] > F{}), second = (target.at[1] > F{}) & (old.at[1] > F{});
-        points.coupling = first & second ? points.coupling : F{};
-        points.freedom = first & second ? points.freedom : all(1);
-        Each now = points.normals(old, {{normalSpeed(c, r[0]) - target.at[0], normalSpeed(c, r[1]) - target.at[1]}},
-                                  {{all(1), all(1)}});
+        Points points = c.points(batch, lane);
+        const M first = both<M>(target.at[0] > F{}, old.at[0] > F{}),
+                second = both<M>(target.at[1] > F{}, old.at[1] > F{}), together = both<M>(first, second);
+        points.coupling = together ? points.coupling : F{};
+        points.freedom = together ? points.freedom : all(1);
+        Each now = points.normals(
+            old, {{c.pair.normalSpeed(c.r[0]) - target.at[0], c.pair.normalSpeed(c.r[1]) - target.at[1]}},
+            {{all(1), all(1)}});
         now = {{first ? now.at[0] : old.at[0], second ? now.at[1] : old.at[1]}};
-        for (int i = 0; i < 2; ++i) {
-            storeLanes(batch.points[i].totalNormal + lane, now.at[i]);
-            pushNormal(c, r[i], now.at[i] - old.at[i]);
-        }
-        store(batch, lane, c, bodies.velocity);
+        for (int i = 0; i < 2; ++i) storeLanes(batch.points[i].totalNormal + lane, now.at[i]);
+        c.pushNormals(old, now);
+        c.pair.store(batch, lane, &bodies.velocity->x);
     }
 
     /// Calls visit(batch, lane) for each W lanes of which some are in use. The others are empty: bodies 0 and masses 0,

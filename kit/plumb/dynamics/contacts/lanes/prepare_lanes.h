@@ -114,22 +114,22 @@ struct LanePreparer {
 
     /// The two bodies and the contact's normal, for the formulas.
     struct Sides {
-        Rows<W> velocityA, velocityB;
+        BodyPair<W> velocity;
         Rows<W> pullA, pullB;  ///< velocity changes by acceleration in half a step [m/s]
         F inverseGyrationA, inverseGyrationB;
-        F nx, ny;
         F resting;  ///< a slower approach is no impact: the speed gained by acceleration in half a step [m/s]
         F press;    ///< approach speed gained by both accelerations in a step [m/s]
 
         /// resting and press depend on the normal, and so on whether it stays the one of the last step.
         void setNormal(F x, F y) {
-            nx = x;
-            ny = y;
-            const F alongA = pullA.x * nx + pullA.y * ny, alongB = pullB.x * nx + pullB.y * ny;
+            velocity.nx = x;
+            velocity.ny = y;
+            const F alongA = pullA.x * x + pullA.y * y, alongB = pullB.x * x + pullB.y * y;
             resting = larger(magnitude(alongA), magnitude(alongB));
             press = 2 * (alongA - alongB);
         }
         LaneArms<W> arms(F rax, F ray, F rbx, F rby) const {
+            const F nx = velocity.nx, ny = velocity.ny;
             return {inverseGyrationA * (nx * rax + ny * ray), inverseGyrationA * (nx * ray - ny * rax),
                     inverseGyrationB * (nx * rbx + ny * rby), inverseGyrationB * (nx * rby - ny * rbx)};
         }
@@ -139,8 +139,7 @@ struct LanePreparer {
         Sides s;
         // A BodyPlace has sixteen floats in four rows: the second has inverseGyration as its z, the fourth the pull.
         const float* rows = &places->highX;
-        s.velocityA = loadRows<W>(&velocity->x, batch.bodyA + lane);
-        s.velocityB = loadRows<W>(&velocity->x, batch.bodyB + lane);
+        s.velocity = BodyPair<W>::of(batch, lane, &velocity->x);
         s.inverseGyrationA = loadRows<W, 16>(rows + 4, batch.bodyA + lane).z;
         s.inverseGyrationB = loadRows<W, 16>(rows + 4, batch.bodyB + lane).z;
         s.pullA = loadRows<W, 16>(rows + 12, batch.bodyA + lane);
@@ -167,12 +166,7 @@ struct LanePreparer {
     /// Fills the lanes of a point, but for its arms; returns the speed at which it opens [m/s].
     static F preparePoint(PointLanes& p, int lane, const Sides& s, const LaneArms<W>& arms, F separation, F restitution,
                           M present) {
-        const auto [normalA, tangentA, normalB, tangentB] = arms;
-        const F ma = s.velocityA.w, mb = s.velocityB.w;
-        const F normalInverse = ma * (tangentA * tangentA + 1.0f) + mb * (tangentB * tangentB + 1.0f);
-        const F tangentInverse = ma * (normalA * normalA + 1.0f) + mb * (normalB * normalB + 1.0f);
-        const F opening = (s.nx * (s.velocityB.x - s.velocityA.x) + s.ny * (s.velocityB.y - s.velocityA.y)) +
-                          (tangentA * s.velocityA.z - tangentB * s.velocityB.z);
+        const F ma = s.velocity.a.w, mb = s.velocity.b.w, opening = s.velocity.normalSpeed(arms);
         const F parting = restitution * -opening;
         const M fast = -opening > s.resting, near = separation > all(-justTouching);
         const M hits = fast ? near : M{};
@@ -181,8 +175,8 @@ struct LanePreparer {
         // What parts more slowly than its acceleration in half a step is no bounce: else what rests would never lie
         // still.
         const F target = parting > s.resting ? parting : F{};
-        storeLanes(p.normalMass + lane, present ? 1.0f / normalInverse : F{});
-        storeLanes(p.tangentMass + lane, present ? 1.0f / tangentInverse : F{});
+        storeLanes(p.normalMass + lane, present ? 1.0f / arms.normalInverse(ma, mb) : F{});
+        storeLanes(p.tangentMass + lane, present ? 1.0f / arms.tangentInverse(ma, mb) : F{});
         storeLanes(p.startSeparation + lane, present ? start : F{});
         storeLanes(p.separation + lane, present ? start : F{});
         storeLanes(p.totalNormal + lane, F{});
@@ -205,12 +199,14 @@ struct LanePreparer {
         }
         const M still = rests<W>(batch, lane, arms, same);
         for (int i = 0; i < 2; ++i) {
-            arms[i].replace(still, LaneArms<W>::before(batch.points[i], lane));
+            arms[i].replace(still, LaneArms<W>::of(batch.points[i], lane));
             arms[i].store(batch.points[i], lane);
         }
-        s.setNormal(still ? at(batch.normalX + lane) : s.nx, still ? at(batch.normalY + lane) : s.ny);
-        storeLanes(batch.normalX + lane, s.nx);
-        storeLanes(batch.normalY + lane, s.ny);
+        const F nx = still ? at(batch.normalX + lane) : s.velocity.nx,
+                ny = still ? at(batch.normalY + lane) : s.velocity.ny;
+        s.setNormal(nx, ny);
+        storeLanes(batch.normalX + lane, nx);
+        storeLanes(batch.normalY + lane, ny);
         storeLanes(m.normalX + lane, localX);
         storeLanes(m.normalY + lane, localY);
     }
@@ -233,7 +229,7 @@ struct LanePreparer {
             const FreshPoint& point = fresh.points[i];
             const F separation = at(point.separation + lane);
             const M present = count > whole(i);
-            const LaneArms<W> arms = LaneArms<W>::before(batch.points[i], lane);
+            const LaneArms<W> arms = LaneArms<W>::of(batch.points[i], lane);
             const F opening = preparePoint(batch.points[i], lane, s, arms, separation, restitution, present);
             const F speed = present ? -opening : F{};
             approach = larger(approach, speed);

@@ -10,8 +10,7 @@
 // Test: "a column of forty boxes that are kept awake stands for a minute"
 // Source of the idea: contact recycling in Box2D 3.2, which allows a motion of 5 cm.
 #pragma once
-#include <plumb/dynamics/contacts/contact_batch.h>
-#include <plumb/math/detail/wide_ops.h>
+#include <plumb/dynamics/contacts/lanes/point_kinematics.h>
 
 namespace plumb {
 
@@ -21,36 +20,6 @@ inline constexpr float mostArm = 0.03f;
 /// A contact sticks if its friction impulse is less than this share of mu times its normal impulse [-]. Near 1, but not
 /// 1: both are sums over a step, and rounding must not take what slides for what sticks.
 inline constexpr float mostGrip = 0.99f;
-
-/// The arms of W lanes of points, times rho, as in PointLanes.
-template <int W>
-struct LaneArms {
-    using F = typename Wide<W>::Float;
-    using I = typename Wide<W>::Int;
-    using M = typename Wide<W>::Mask;
-    F normalA, tangentA, normalB, tangentB;
-
-    static LaneArms before(const PointLanes& p, int lane) {
-        return {loadLanes<W>(p.anchorNormalA + lane), loadLanes<W>(p.anchorTangentA + lane),
-                loadLanes<W>(p.anchorNormalB + lane), loadLanes<W>(p.anchorTangentB + lane)};
-    }
-    void store(PointLanes& p, int lane) const {
-        storeLanes(p.anchorNormalA + lane, normalA);
-        storeLanes(p.anchorTangentA + lane, tangentA);
-        storeLanes(p.anchorNormalB + lane, normalB);
-        storeLanes(p.anchorTangentB + lane, tangentB);
-    }
-    void replace(M where, const LaneArms& by) {
-        normalA = where ? by.normalA : normalA;
-        tangentA = where ? by.tangentA : tangentA;
-        normalB = where ? by.normalB : normalB;
-        tangentB = where ? by.tangentB : tangentB;
-    }
-    F changeFrom(const LaneArms& other) const {
-        return larger(larger(magnitude(normalA - other.normalA), magnitude(tangentA - other.tangentA)),
-                      larger(magnitude(normalB - other.normalB), magnitude(tangentB - other.tangentB)));
-    }
-};
 
 /// Does a face rest on a face: did each point carry load and stick in the last step, and has it kept its arms? Reads
 /// what the last step has left in the batch. same: a point is the successor of the point with the same number.
@@ -64,7 +33,7 @@ M rests(const ContactBatch& batch, int lane, const LaneArms<W> (&now)[2], const 
     for (int i = 0; i < 2; ++i) {
         const PointLanes& p = batch.points[i];
         const F load = loadLanes<W>(p.totalNormal + lane), held = magnitude(loadLanes<W>(p.totalTangent + lane));
-        const M far = now[i].changeFrom(LaneArms<W>::before(p, lane)) > F{} + mostArm;
+        const M far = now[i].changeFrom(LaneArms<W>::of(p, lane)) > F{} + mostArm;
         const M empty = load <= F{}, slides = held > mostGrip * friction * load;
         moves |= (far ? yes : I{}) | (empty ? yes : I{}) | (slides ? yes : I{}) | (same[i] ? I{} : yes);
     }
