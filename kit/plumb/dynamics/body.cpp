@@ -219,7 +219,7 @@ void Body::setPose(const Vec2& position, double angle) {
     // position.
     world_->bodies.rest(index());
     findPairsAgain(*world_, index());
-    if (world_->jointEdits != nullptr) world_->jointEdits->followMove(*world_, index());
+    followMove(*world_, index());
     world_->joints.changed = world_->joints.changed || isInRange(motion) != inRange;
     wakeIsland(*world_, index());
 }

@@ -5,6 +5,7 @@
 #include <plumb/dynamics/edit/edits.h>
 #include <plumb/dynamics/edit/joint_edits.h>
 #include <plumb/dynamics/edit/validate.h>
+#include <plumb/dynamics/jointed/island_solver.h>
 #include <plumb/dynamics/state/world_state.h>
 #include <plumb/math/check.h>
 
@@ -131,7 +132,7 @@ void Body::setFixedRotation(bool fixed) {
 }
 
 void Body::setLocks(bool lockX, bool lockY) {
-    lockBody(*world_, index(), lockX, lockY);
+    lockBody(*world_, index(), lockX, lockY, islandSolver);
 }
 
 void Body::setCanSleep(bool canSleep) {

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Is a body kept from moving along an axis? A bool whose value true links the code of joints into the program.
 #pragma once
+#include <memory>
 
 namespace plumb {
 
-struct JointEdits;
+class JointSolver;
 
-/// Used like a bool. Locks are joints. The constructor from a bool is defined with the edits of joints, so a program
-/// that uses neither locks nor joints links none of that code.
+/// Used like a bool. Locks are joints, and what solves joints is made by the value true itself: its constructor is
+/// defined beside that code, so a program that uses neither locks nor joints links none of it.
 class Lock {
 public:
+    using Maker = std::unique_ptr<JointSolver> (*)();
+
     constexpr Lock() = default;
     Lock(bool locked);  // NOLINT(google-explicit-constructor): .lockX = true
 
-    constexpr operator bool() const { return joints_ != nullptr; }  // NOLINT(google-explicit-constructor)
-    const JointEdits* joints() const { return joints_; }            ///< nullptr: not locked
+    constexpr operator bool() const { return solver_ != nullptr; }  // NOLINT(google-explicit-constructor)
+    Maker solver() const { return solver_; }                        ///< nullptr: not locked
 
 private:
-    const JointEdits* joints_ = nullptr;
+    Maker solver_ = nullptr;
 };
 
 }  // namespace plumb

@@ -86,8 +86,8 @@ BodyId World::add(const BodyDef& def) {
     const bool moves = def.type == BodyType::Dynamic || !def.velocity.isZero(0) || def.angularVelocity != 0;
     if (moves && def.awake) bodies.wake(body);
     // The lock itself brings the code of joints along: a program without locks and joints links none of it (lock.h).
-    if (const JointEdits* joints = def.lockX.joints() ? def.lockX.joints() : def.lockY.joints())
-        joints->lock(*state_, body, def.lockX, def.lockY);
+    if (const Lock::Maker solver = def.lockX ? def.lockX.solver() : def.lockY.solver())
+        lockBody(*state_, body, def.lockX, def.lockY, solver);
     // Last, because a lock wakes its body.
     if (!def.awake) bodies.putToSleep(body);
     return bodies.idOf(body);
@@ -100,7 +100,7 @@ void World::remove(BodyId id) {
     WorldState& world = *state_;
     wakeNeighbours(world, id.index);
     wakeInfluencedByMagnetsOn(world, id.index);
-    if (world.jointEdits != nullptr) world.jointEdits->removeAllOf(world, id.index);
+    removeJointsOf(world, id.index);
     removeShapes(world, id.index);
     world.parkedMass.erase(id.index);
     world.events.gone.push_back(id.index);
@@ -126,7 +126,7 @@ Ledger World::ledger() const {
     const WorldState& w = *state_;
     if (!w.account) refuse("World.ledger", "WorldDef.ledger was not set, so no account was kept");
     Account now = *w.account;
-    now.close({w.bodies, w.fields, w.graph, w.joints, w.space, w.jointPhases}, &EnergyLedger::edits,
+    now.close({w.bodies, w.fields, w.graph, w.joints, w.space, *w.jointSolver}, &EnergyLedger::edits,
               &MomentumLedger::edits);
     return now.ledger();
 }

@@ -70,17 +70,6 @@ std::size_t bytesOf(const JointStore& j) {
     return sumOf(j.records, j.loads, j.free, j.gears);
 }
 
-std::size_t bytesOf(const JointIslands& j) {
-    std::size_t bytes =
-        sumOf(j.joints, j.breakable, j.alike) + j.layouts.bytes() + j.islands.capacity() * sizeof(JointIsland);
-    for (const JointIsland& island : j.islands)
-        bytes += sumOf(island.joints, island.laid, island.sprung, island.held, island.bodies, island.stiffness) +
-                 island.hinges.bytes();
-    for (const std::vector<std::uint32_t>& group : j.alike) bytes += sumOf(group);
-    for (const JointBatch& batch : j.batches) bytes += sizeof(JointBatch) + batch.bytes();
-    return bytes;
-}
-
 std::size_t bytesOf(const WorldEvents& e) {
     return sumOf(e.begins, e.ends, e.breaks, e.hits, e.quarantines, e.movers, e.sleepers, e.gone);
 }
@@ -89,7 +78,7 @@ std::size_t bytesOf(const WorldState& w) {
     const SensorStore& s = w.sensors;
     return sizeof w + bytesOf(w.bodies) + w.space.bytes() + bytesOf(w.contacts) + bytesOf(w.graph) +
            bytesOf(w.parkedMass) + sumOf(s.sensors, s.pairs, s.inside, s.begins, s.ends) + bytesOf(w.joints) +
-           bytesOf(w.jointIslands) + bytesOf(w.events) + sumOf(w.trajectories);
+           w.jointSolver->bytes() + bytesOf(w.events) + sumOf(w.trajectories);
 }
 
 }  // namespace

@@ -5,8 +5,7 @@
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/edit/edits.h>
 #include <plumb/dynamics/edit/validate.h>
-#include <plumb/dynamics/fields/field_phases.h>
-#include <plumb/dynamics/fields/field_scope.h>
+#include <plumb/dynamics/fields/field_solving.h>
 #include <plumb/dynamics/fields/placed_outline.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
@@ -45,7 +44,7 @@ void blast(WorldState& world, ShapeId id, const Shape& shape, Explosion explosio
 /// The first field brings the code of fields along: programs without fields are 29 KB smaller.
 FieldId World::addField(const FieldDef& def) {
     validate(*state_, def);
-    state_->fields.phases = &fieldPhases;
+    if (state_->fields.records.empty()) state_->fields.solver = std::make_unique<FieldSolving>();
     const FieldIndex field = state_->fields.acquire();
     FieldRecord& record = state_->fields.records[field];
     record = recordOf(def, record.generation);

@@ -2,6 +2,7 @@
 // What holds bodies together? The part of World that handles joints, and the view of one joint.
 #include <plumb/dynamics/edit/joint_edits.h>
 #include <plumb/dynamics/edit/validate.h>
+#include <plumb/dynamics/jointed/island_solver.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
 
@@ -9,7 +10,7 @@ namespace plumb {
 
 JointId World::join(const JointDef& def) {
     validate(*state_, def);
-    const JointIndex joint = addJoint(*state_, def);
+    const JointIndex joint = addJoint(*state_, def, islandSolver);
     return {joint, state_->joints[joint].generation, state_->bodies.world};
 }
 

@@ -9,7 +9,7 @@
 #include <plumb/dynamics/edit/edits.h>
 #include <plumb/dynamics/edit/joint_edits.h>
 #include <plumb/dynamics/edit/step_edits.h>
-#include <plumb/dynamics/fields/field_phases.h>
+#include <plumb/dynamics/fields/field_flight.h>
 #include <plumb/dynamics/impacts/chain_slides.h>
 #include <plumb/dynamics/impacts/flight_stops.h>
 #include <plumb/dynamics/impacts/isolated_impacts.h>
@@ -78,7 +78,7 @@ public:
     }
 
     static LedgerView viewOf(const WorldState& w) {
-        return {w.bodies, w.fields, w.graph, w.joints, w.space, w.jointPhases};
+        return {w.bodies, w.fields, w.graph, w.joints, w.space, *w.jointSolver};
     }
     StepObserver* observer() { return audit_ ? &*audit_ : nullptr; }
     void wake(std::span<const BodyIndex> named) { wakeIslands(world.bodies, world.contacts, world.joints, named); }
@@ -128,8 +128,8 @@ void predict(Step& s) {
     WorldState& w = s.world;
     if (w.fields.empty() || s.dt < shortestFieldStep) return;
     for (FieldIndex field = 0; field < w.fields.records.size(); ++field)
-        s.wake(w.fields.phases->gatherAttracted(w.fields, field, w.bodies, w.space));
-    w.fields.phases->predictFlights(w.fields, w.bodies, w.space, s.dt);
+        s.wake(w.fields.solver->gatherAttracted(w.fields, field, w.bodies, w.space));
+    w.fields.solver->predictFlights(w.fields, w.bodies, w.space, s.dt);
 }
 
 /// Bounds are placed for the motion that is predicted now; which shapes leave them is found out when a query first asks
@@ -173,10 +173,9 @@ void solveImpacts(Step& s) {
 void solve(Step& s) {
     WorldState& w = s.world;
     w.graph.sortOverflow(w.contacts);
-    const JointStores joints{w.joints, w.jointIslands, w.bodies, w.solver, s.observer()};
     std::vector<ChainSlideEnd> slides;
     if (w.chainPieces > 0) slides = findChainSlides(w.bodies, w.contacts, w.space, s.dt);
-    s.report(solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.jointPhases, joints, w.solver,
+    s.report(solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.joints, *w.jointSolver, w.solver,
                                s.observer(), w.walls > 0, w.hitSpeed},
                               s.dt));
     moveAlongChains(w.bodies, slides, s.dt, s.observer());
@@ -189,7 +188,7 @@ void moveFree(Step& s) {
 
 /// After the solver, which has measured the loads of this step.
 void breakJoints(Step& s) {
-    if (s.world.jointEdits != nullptr) s.world.jointEdits->breakOverloaded(s.world);
+    plumb::breakJoints(s.world);
 }
 
 void reportTouches(Step& s) {

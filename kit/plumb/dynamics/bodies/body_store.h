@@ -93,7 +93,8 @@ struct alignas(64) BodyLinks {
 enum class MovedBy : std::uint8_t {
     Nothing,     ///< none: the body is static, asleep or in quarantine
     ClosedForm,  ///< the closed form of free motion
-    Impacts,     ///< the phase that solves isolated impacts one by one, or a slide along a chain
+    Impacts,     ///< the phase that solves isolated impacts one by one
+    Chain,       ///< the closed form of a slide along a chain; the solver finds only its contacts' impulses
     Solver,      ///< the solver: contacts or joints gave the body an impulse
 };
 

@@ -20,14 +20,28 @@ int freeColour(std::uint32_t used, int first, int end) {
 
 /// The flags of a batch only say that some lane may need the code. They are never cleared: that would take a look at
 /// all lanes, and a batch that is empty is removed.
-void copyLane(Colour& to, std::size_t toSlot, const ContactBatch& batch, const ManifoldLanes& manifolds,
-              std::size_t lane) {
-    ContactBatch& target = to.batches[toSlot / batchLanes];
-    copyLane(target, toSlot % batchLanes, batch, lane, batchRows);
-    copyLane(to.manifolds[toSlot / batchLanes], toSlot % batchLanes, manifolds, lane, manifoldRows);
-    target.hasSurfaceSpeed = target.hasSurfaceSpeed || batch.surfaceSpeed[lane] != 0;
-    target.hasRollingResistance = target.hasRollingResistance || batch.rollingArm[lane] != 0;
-    target.bounces = target.bounces || manifolds.restitution[lane] > 0;
+void noteFlags(const ContactLane& at) {
+    ContactBatch& batch = at.batch;
+    batch.hasSurfaceSpeed = batch.hasSurfaceSpeed || batch.surfaceSpeed[at.lane] != 0;
+    batch.hasRollingResistance = batch.hasRollingResistance || batch.rollingArm[at.lane] != 0;
+    batch.bounces = batch.bounces || at.manifolds.restitution[at.lane] > 0;
+}
+
+/// Copies all that a colour has of a contact, but its number.
+void copySlot(Colour& to, std::size_t toSlot, const Colour& from, std::size_t fromSlot) {
+    const std::size_t t = toSlot / batchLanes, lane = toSlot % batchLanes, f = fromSlot / batchLanes,
+                      fromLane = fromSlot % batchLanes;
+    copyLane(to.batches[t], lane, from.batches[f], fromLane, batchRows);
+    copyLane(to.manifolds[t], lane, from.manifolds[f], fromLane, manifoldRows);
+    copyLane(to.pairs[t], lane, from.pairs[f], fromLane, pairRows);
+    if (!to.kept.empty()) copyLane(to.kept[t], lane, from.kept[f], fromLane, keptRows);
+    noteFlags({to.batches[t], to.manifolds[t], lane});
+}
+
+/// A colour with one batch that is empty.
+const Colour& emptyColour() {
+    static const Colour empty{{ContactBatch{}}, {ManifoldLanes{}}, {PairLanes{}}, {KeptLanes{}}, {}};
+    return empty;
 }
 
 /// Appends an empty batch. The capacity grows by a quarter, less than a vector's own growth: batches take most of a
@@ -73,10 +87,13 @@ void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex i
         append(colour.pairs);
         if (!contact.boxes) append(colour.kept);
     }
-    fillPair(contacts, contact, colour.pairs.back(), slot % batchLanes);
     colour.contactOf.push_back(index);
     contact.slot = static_cast<std::uint32_t>(slot);
-    copyLane(colour, slot, batch, manifolds, lane);
+    const ContactLane to = laneOf(contact);
+    copyLane(to.batch, to.lane, batch, lane, batchRows);
+    copyLane(to.manifolds, to.lane, manifolds, lane, manifoldRows);
+    fillPair(contacts, contact, colour.pairs.back(), to.lane);
+    noteFlags(to);
 }
 
 void ContactGraph::sortOverflow(ContactStore& contacts) {
@@ -92,11 +109,7 @@ void ContactGraph::sortOverflow(ContactStore& contacts) {
         std::sort(colour.contactOf.begin(), colour.contactOf.end(), comesFirst);
         for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot) {
             ContactRecord& contact = contacts[colour.contactOf[slot]];
-            const std::size_t batch = contact.slot / batchLanes, lane = contact.slot % batchLanes;
-            copyLane(colour, slot, old.batches[batch], old.manifolds[batch], lane);
-            copyLane(colour.pairs[slot / batchLanes], slot % batchLanes, old.pairs[batch], lane, pairRows);
-            if (!contact.boxes)
-                copyLane(colour.kept[slot / batchLanes], slot % batchLanes, old.kept[batch], lane, keptRows);
+            copySlot(colour, slot, old, contact.slot);
             contact.slot = static_cast<std::uint32_t>(slot);
         }
     }
@@ -104,11 +117,11 @@ void ContactGraph::sortOverflow(ContactStore& contacts) {
 
 std::array<PointMemory, 2> ContactGraph::memoryOf(const ContactRecord& contact) const {
     if (!contact.isSolved()) return contact.memory;
-    const ContactBatch& batch = colourOf(contact).batches[contact.slot / batchLanes];
-    const std::size_t lane = contact.slot % batchLanes;
+    const ConstContactLane at = laneOf(contact);
+    const std::size_t lane = at.lane;
     std::array<PointMemory, 2> memory;
     for (std::size_t p = 0; p < 2; ++p) {
-        const PointLanes& from = batch.points[p];
+        const PointLanes& from = at.batch.points[p];
         memory[p] = {from.normalImpulse[lane], from.tangentImpulse[lane], from.totalNormal[lane],
                      from.totalTangent[lane]};
     }
@@ -117,16 +130,15 @@ std::array<PointMemory, 2> ContactGraph::memoryOf(const ContactRecord& contact) 
 
 Manifold ContactGraph::manifoldOf(const ContactRecord& contact) const {
     if (!contact.isSolved()) return contact.manifold;
-    const ManifoldLanes& lanes = colourOf(contact).manifolds[contact.slot / batchLanes];
-    const ContactBatch& batch = colourOf(contact).batches[contact.slot / batchLanes];
-    const std::size_t lane = contact.slot % batchLanes;
+    const ConstContactLane at = laneOf(contact);
+    const std::size_t lane = at.lane;
     Manifold manifold;
-    manifold.normal = {lanes.normalX[lane], lanes.normalY[lane]};
-    manifold.count = lanes.count[lane];
+    manifold.normal = {at.manifolds.normalX[lane], at.manifolds.normalY[lane]};
+    manifold.count = at.manifolds.count[lane];
     for (std::size_t p = 0; p < 2; ++p) {
-        const ManifoldPointLanes& from = lanes.points[p];
+        const ManifoldPointLanes& from = at.manifolds.points[p];
         manifold.points[p] = {{from.x[lane], from.y[lane]},
-                              batch.points[p].startSeparation[lane],
+                              at.batch.points[p].startSeparation[lane],
                               static_cast<std::uint16_t>(from.feature[lane])};
     }
     return manifold;
@@ -134,8 +146,8 @@ Manifold ContactGraph::manifoldOf(const ContactRecord& contact) const {
 
 float ContactGraph::separationOf(const ContactRecord& contact, std::size_t point) const {
     if (!contact.isSolved()) return contact.manifold.points[point].separation;
-    const ContactBatch& batch = colourOf(contact).batches[contact.slot / batchLanes];
-    return batch.points[point].separation[contact.slot % batchLanes];
+    const ConstContactLane at = laneOf(contact);
+    return at.batch.points[point].separation[at.lane];
 }
 
 /// The record gets the manifold and the impulses, so that a contact that comes back, or wakes, starts with its load.
@@ -150,7 +162,7 @@ void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactInde
     contact.manifold = manifoldOf(contact);
     contact.memory = memoryOf(contact);
     contact.memoryStep = bodies.lastSolved;
-    contact.rollImpulse = colour.batches[slot / batchLanes].rollImpulse[slot % batchLanes];
+    contact.rollImpulse = laneOf(contact).batch.rollImpulse[laneOf(contact).lane];
     for (const BodyIndex body : {contact.bodyA, contact.bodyB}) {
         BodyLinks& links = bodies.links[body];
         --links.solverContacts;
@@ -158,14 +170,8 @@ void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactInde
     }
     // The last contact moves into the gap. Its old lane is emptied, not just forgotten: whole vectors are solved, and
     // bodies and masses of unused lanes must be 0.
-    copyLane(colour, slot, colour.batches.back(), colour.manifolds.back(), last % batchLanes);
-    copyLane(colour, last, ContactBatch{}, ManifoldLanes{}, 0);
-    copyLane(colour.pairs[slot / batchLanes], slot % batchLanes, colour.pairs.back(), last % batchLanes, pairRows);
-    copyLane(colour.pairs.back(), last % batchLanes, PairLanes{}, 0, pairRows);
-    if (!contact.boxes) {
-        copyLane(colour.kept[slot / batchLanes], slot % batchLanes, colour.kept.back(), last % batchLanes, keptRows);
-        copyLane(colour.kept.back(), last % batchLanes, KeptLanes{}, 0, keptRows);
-    }
+    copySlot(colour, slot, colour, last);
+    copySlot(colour, last, emptyColour(), 0);
     colour.contactOf[slot] = colour.contactOf[last];
     contacts[colour.contactOf[slot]].slot = static_cast<std::uint32_t>(slot);
     colour.contactOf.pop_back();

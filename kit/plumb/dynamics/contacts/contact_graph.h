@@ -29,6 +29,16 @@ struct Colour {
     std::vector<ContactIndex> contactOf;   ///< slot to contact; slot = batch * batchLanes + lane
 };
 
+/// Where the solver has a contact: a lane of a batch.
+template <class Batch, class Manifolds>
+struct SolvedLane {
+    Batch& batch;
+    Manifolds& manifolds;
+    std::size_t lane;
+};
+using ContactLane = SolvedLane<ContactBatch, ManifoldLanes>;
+using ConstContactLane = SolvedLane<const ContactBatch, const ManifoldLanes>;
+
 /// All contacts that are in the solver. A contact keeps its slot, and in it its impulses, from step to step.
 struct ContactGraph {
     /// Two entries for each colour: the contacts of two boxes, then all others.
@@ -44,6 +54,26 @@ struct ContactGraph {
     /// The order of their slots changes with each contact that goes, also far away.
     void sortOverflow(ContactStore& contacts);
 
+    /// Of a contact in the solver.
+    ContactLane laneOf(const ContactRecord& contact) { return laneIn(colours[contact.colour], contact.slot); }
+    ConstContactLane laneOf(const ContactRecord& contact) const {
+        return laneIn(colours[contact.colour], contact.slot);
+    }
+    /// Calls visit(its lane, contact) for all of them, in the order in which they are solved.
+    template <class Visit>
+    void forEachLane(Visit&& visit) const {
+        for (const Colour& colour : colours)
+            for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot)
+                visit(laneIn(colour, slot), colour.contactOf[slot]);
+    }
+    /// Calls visit(contact) for those of batches in which some lane has restitution.
+    template <class Visit>
+    void forEachBouncing(Visit&& visit) const {
+        for (const Colour& colour : colours)
+            for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot)
+                if (colour.batches[slot / batchLanes].bounces) visit(colour.contactOf[slot]);
+    }
+
     // These read from the contact's slot if it has one, else from its record.
     std::array<PointMemory, 2> memoryOf(const ContactRecord& contact) const;
     /// The manifold at the start of the last step.
@@ -52,7 +82,12 @@ struct ContactGraph {
     float separationOf(const ContactRecord& contact, std::size_t point) const;
 
 private:
-    const Colour& colourOf(const ContactRecord& contact) const { return colours[contact.colour]; }
+    static ContactLane laneIn(Colour& colour, std::size_t slot) {
+        return {colour.batches[slot / batchLanes], colour.manifolds[slot / batchLanes], slot % batchLanes};
+    }
+    static ConstContactLane laneIn(const Colour& colour, std::size_t slot) {
+        return {colour.batches[slot / batchLanes], colour.manifolds[slot / batchLanes], slot % batchLanes};
+    }
 };
 
 /// A contact's normal, and a point half-way between the surfaces, in the world, at the bodies' present places.
@@ -72,6 +107,10 @@ inline bool isOfBoxes(std::size_t index) {
 /// The colour of an entry of ContactGraph.colours.
 inline int colourAt(std::size_t index) {
     return static_cast<int>(index / 2);
+}
+/// Does an entry of ContactGraph.colours hold contacts with static and kinematic bodies?
+inline bool isOfGround(std::size_t index) {
+    return colourAt(index) >= fixedColour && colourAt(index) != overflowColour;
 }
 
 }  // namespace plumb

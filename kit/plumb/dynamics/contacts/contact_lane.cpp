@@ -137,10 +137,9 @@ void setSolverMass(ContactGraph& graph, const ContactStore& contacts, BodyStore&
     forEachContact(bodies, contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = contacts[index];
         if (!contact.isSolved()) return;
-        ContactBatch& batch = graph.colours[contact.colour].batches[contact.slot / batchLanes];
-        const std::size_t lane = contact.slot % batchLanes;
-        scaleSide(batch, lane, contact.bodyA == body, ratio);
-        findMasses(batch, lane, bodies.velocity);
+        const ContactLane at = graph.laneOf(contact);
+        scaleSide(at.batch, at.lane, contact.bodyA == body, ratio);
+        findMasses(at.batch, at.lane, bodies.velocity);
     });
 }
 

@@ -23,13 +23,12 @@ float shallowOf(const BodyStore& bodies, const ContactRecord& contact) {
 /// The solver sees no separation below -least. Both copies are changed, because separations during the step count from
 /// startSeparation. Returns true if something is hidden.
 bool hide(ContactGraph& graph, const ContactRecord& contact, float least, DeepContact& overlap) {
-    ContactBatch& batch = graph.colours[contact.colour].batches[contact.slot / batchLanes];
-    const std::size_t lane = contact.slot % batchLanes;
+    const ContactLane at = graph.laneOf(contact);
     for (std::size_t i = 0; i < 2; ++i) {
-        PointLanes& p = batch.points[i];
-        const float visible = std::max(p.startSeparation[lane], -least);
-        overlap.depth[i] = visible - p.startSeparation[lane];
-        p.startSeparation[lane] = p.separation[lane] = visible;
+        PointLanes& p = at.batch.points[i];
+        const float visible = std::max(p.startSeparation[at.lane], -least);
+        overlap.depth[i] = visible - p.startSeparation[at.lane];
+        p.startSeparation[at.lane] = p.separation[at.lane] = visible;
     }
     return overlap.depth[0] > 0 || overlap.depth[1] > 0;
 }

@@ -46,7 +46,7 @@ void recenter(WorldState& world, BodyIndex body, const Vec2& localCenter) {
             for (ManifoldPoint& point : contact.manifold.points) point.position -= shiftF;
     });
     measureAnew(world, body);
-    if (world.jointEdits != nullptr) world.jointEdits->shiftAnchors(world, body, shift);
+    shiftAnchors(world, body, shift);
 }
 
 }  // namespace

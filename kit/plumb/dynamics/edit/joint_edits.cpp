@@ -48,12 +48,15 @@ void keepApartNoMore(BodyStore& bodies, BodyIndex a, BodyIndex b) {
     eraseOne(bodies.apart[b], a);
 }
 
-/// Enters a joint with its bodies. The tables of joints are set here, by the first joint: a program without joints does
-/// not link their code (jointed/joint_phases.h). Contacts that the joint forbids go at once.
+/// A new record. The first one brings the solver: a program without joints does not link its code (joint_solver.h).
+JointIndex acquire(WorldState& world, Lock::Maker solver) {
+    if (world.joints.records.empty()) world.jointSolver = solver();
+    return world.joints.acquire();
+}
+
+/// Enters a joint with its bodies. Contacts that the joint forbids go at once.
 void link(WorldState& world, JointIndex index) {
     const JointRecord& record = world.joints[index];
-    world.jointPhases = &jointPhases;
-    world.jointEdits = &jointEdits;
     world.joints.changed = true;
     forEachBody(world.joints, index, [&](BodyIndex body) {
         world.bodies.links[body].joints.push_back(index);
@@ -95,10 +98,41 @@ void forEachLock(WorldState& world, BodyIndex body, Visit&& visit) {
         if (auto* lock = std::get_if<LockJoint>(&world.joints[index].joint)) visit(index, *lock);
 }
 
+void moveLocks(WorldState& world, BodyIndex body) {
+    forEachLock(world, body, [&](JointIndex index, LockJoint& lock) {
+        lock.setCenter(world.bodies.motion[body].center);
+        world.joints.noteEdit(index);
+    });
+}
+
+/// Else a joint would pull a body that was put over the seam all the way back around the world.
+void takeNearestImages(WorldState& world, BodyIndex body) {
+    const BodyStore& bodies = world.bodies;
+    if (!bodies.wrap.any()) return;
+    const auto bring = [&](Anchor& anchor, const Vec2& to) {
+        anchor.shift += bodies.wrap.shiftNear(endAtRest(anchor, bodies).point, to);
+    };
+    for (const JointIndex index : bodies.links[body].joints) {
+        world.joints.noteEdit(index);
+        AnyJoint& any = world.joints[index].joint;
+        if (auto* pulley = std::get_if<PulleyJoint>(&any)) {
+            bring(pulley->anchors.a, pulley->def().groundA);
+            bring(pulley->anchors.b, pulley->def().groundB);
+            continue;
+        }
+        std::visit(
+            [&]<class Joint>(Joint& joint) {
+                if constexpr (requires { joint.anchors; })
+                    bring(joint.anchors.b, endAtRest(joint.anchors.a, bodies).point);
+            },
+            any);
+    }
+}
+
 }  // namespace
 
-JointIndex addJoint(WorldState& world, const JointDef& def) {
-    const JointIndex index = world.joints.acquire();
+JointIndex addJoint(WorldState& world, const JointDef& def, Lock::Maker solver) {
+    const JointIndex index = acquire(world, solver);
     AnyJoint joint = makeJoint(def, world.joints, world.bodies);
     JointRecord& record = world.joints[index];
     const JointBodies bodies = bodiesOf(world, def);
@@ -149,7 +183,7 @@ void removeJointsOf(WorldState& world, BodyIndex body) {
 /// first, and a gear that broke may be gone already with one of its joints. O(joints that can break).
 void breakJoints(WorldState& world) {
     std::vector<JointIndex> broken;
-    for (const JointIndex index : world.jointIslands.breakable) {
+    for (const JointIndex index : world.jointSolver->breakable()) {
         const JointRecord& record = world.joints[index];
         const JointLoad& load = world.joints.loads[index];
         if (!load.force().allFinite() || !std::isfinite(load.torque())) continue;  // its bodies go, the joint stays
@@ -164,10 +198,10 @@ void breakJoints(WorldState& world) {
 }
 
 /// A lock is a hidden joint to the world, which World::joints does not list.
-void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY) {
+void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY, Lock::Maker solver) {
     forEachLock(world, body, [&](JointIndex index, const LockJoint&) { removeJoint(world, index); });
     if (!lockX && !lockY) return;
-    const JointIndex index = world.joints.acquire();
+    const JointIndex index = acquire(world, solver);
     JointRecord& record = world.joints[index];
     record.joint = LockJoint(body, lockX, lockY, world.bodies);
     record.bodyB = body;
@@ -175,35 +209,9 @@ void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY) {
     link(world, index);
 }
 
-void moveLocks(WorldState& world, BodyIndex body) {
-    forEachLock(world, body, [&](JointIndex index, LockJoint& lock) {
-        lock.setCenter(world.bodies.motion[body].center);
-        world.joints.noteEdit(index);
-    });
-}
-
-/// Else a joint would pull a body that was put over the seam all the way back around the world.
-void takeNearestImages(WorldState& world, BodyIndex body) {
-    const BodyStore& bodies = world.bodies;
-    if (!bodies.wrap.any()) return;
-    const auto bring = [&](Anchor& anchor, const Vec2& to) {
-        anchor.shift += bodies.wrap.shiftNear(endAtRest(anchor, bodies).point, to);
-    };
-    for (const JointIndex index : bodies.links[body].joints) {
-        world.joints.noteEdit(index);
-        AnyJoint& any = world.joints[index].joint;
-        if (auto* pulley = std::get_if<PulleyJoint>(&any)) {
-            bring(pulley->anchors.a, pulley->def().groundA);
-            bring(pulley->anchors.b, pulley->def().groundB);
-            continue;
-        }
-        std::visit(
-            [&]<class Joint>(Joint& joint) {
-                if constexpr (requires { joint.anchors; })
-                    bring(joint.anchors.b, endAtRest(joint.anchors.a, bodies).point);
-            },
-            any);
-    }
+void followMove(WorldState& world, BodyIndex body) {
+    moveLocks(world, body);
+    takeNearestImages(world, body);
 }
 
 void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift) {
@@ -220,23 +228,5 @@ void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift) {
     }
     moveLocks(world, body);
 }
-
-namespace {
-
-void followMove(WorldState& world, BodyIndex body) {
-    moveLocks(world, body);
-    takeNearestImages(world, body);
-}
-
-}  // namespace
-
-const JointEdits jointEdits{.lock = lockBody,
-                            .followMove = followMove,
-                            .shiftAnchors = shiftAnchors,
-                            .removeAllOf = removeJointsOf,
-                            .breakOverloaded = breakJoints};
-
-/// Here, so that a program which locks a body links the code of joints, and another one does not.
-Lock::Lock(bool locked) : joints_(locked ? &jointEdits : nullptr) {}
 
 }  // namespace plumb

@@ -5,8 +5,9 @@
 
 namespace plumb {
 
-/// Adds a joint whose def was validated, and wakes its bodies.
-JointIndex addJoint(WorldState& world, const JointDef& def);
+/// Adds a joint whose def was validated, and wakes its bodies. solver: makes the world's joint solver, if it is the
+/// first joint (joint_solver.h).
+JointIndex addJoint(WorldState& world, const JointDef& def, Lock::Maker solver);
 /// Removes a joint, and the gears that it drives, and wakes its bodies.
 void removeJoint(WorldState& world, JointIndex joint);
 /// Gives an existing joint another def of its kind, which was validated, and wakes its bodies.
@@ -17,28 +18,12 @@ void removeJointsOf(WorldState& world, BodyIndex body);
 void breakJoints(WorldState& world);
 
 /// Locks a body along x, y, both or neither, at its present position.
-void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY);
-/// Moves the locks of a body to its new position, after the body was moved by an edit.
-void moveLocks(WorldState& world, BodyIndex body);
-/// In a world that wraps: after a body was moved by an edit, connects its joints to the nearest images of the other
-/// bodies.
-void takeNearestImages(WorldState& world, BodyIndex body);
+void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY, Lock::Maker solver);
+/// After a body was moved by an edit: moves its locks, and in a world that wraps connects its joints to the nearest
+/// images of the other bodies.
+void followMove(WorldState& world, BodyIndex body);
 /// After a body's centre of mass was shifted, in its own frame: corrects the anchors, so that they stay at the same
 /// points of the body.
 void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift);
-
-/// The edits of joints that other edits need. A world calls them through this table, which its first joint sets (see
-/// jointed/joint_phases.h).
-struct JointEdits {
-    void (*lock)(WorldState& world, BodyIndex body, bool lockX, bool lockY);
-    /// After a body was moved by an edit: moves its locks, and in a world that wraps connects its joints to the nearest
-    /// images.
-    void (*followMove)(WorldState& world, BodyIndex body);
-    void (*shiftAnchors)(WorldState& world, BodyIndex body, const Vec2& shift);
-    void (*removeAllOf)(WorldState& world, BodyIndex body);
-    void (*breakOverloaded)(WorldState& world);
-};
-
-extern const JointEdits jointEdits;
 
 }  // namespace plumb

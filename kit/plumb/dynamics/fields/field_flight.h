@@ -18,12 +18,6 @@ namespace plumb {
 /// In less time than this, a field's change of velocity is lost in rounding, and so is its law [s].
 inline constexpr double shortestFieldStep = 1e-9;
 
-/// A predicted flight, and the energy and momentum that fields give during it.
-struct FieldFlight {
-    PredictedFlight flight;
-    FieldAccount account;
-};
-
 /// At the start of a step of dt [s]: predicts the flights of all bodies on which fields act.
 void predictFlights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt);
 

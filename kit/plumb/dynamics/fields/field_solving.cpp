@@ -2,8 +2,7 @@
 #include <plumb/dynamics/fields/field_solving.h>
 
 #include <plumb/dynamics/bodies/free_motion.h>
-#include <plumb/dynamics/fields/field_effects.h>
-#include <plumb/dynamics/fields/field_scope.h>
+#include <plumb/dynamics/bodies/solver_velocity.h>
 
 namespace plumb {
 
@@ -19,60 +18,58 @@ BodyMotion solvedMotion(const BodyStore& bodies, BodyIndex body) {
     return motion;
 }
 
-VelocityChange speedsOf(const BodyStore& bodies, BodyIndex body) {
-    const SolverVelocity& v = bodies.velocity[body];
-    return {{static_cast<double>(v.x), static_cast<double>(v.y)},
-            static_cast<double>(v.w * bodies.turn[body].inverseGyration)};
-}
-
-void addChange(SolverVelocity& velocity, const VelocityChange& push, float gyration) {
-    velocity.x += static_cast<float>(push.velocity.x());
-    velocity.y += static_cast<float>(push.velocity.y());
-    velocity.w += static_cast<float>(push.spin) * gyration;
-}
-
 }  // namespace
+
+void FieldSolving::begin(FieldStore& fields, BodyStore& bodies, const Space& space, double h, StepObserver* observer) {
+    fields_ = &fields;
+    bodies_ = &bodies;
+    space_ = &space;
+    h_ = h;
+    observer_ = observer;
+    subSteps_ = 0;
+    known_ = false;
+}
 
 /// Once a sub-step: the kick at its end and the one at the next one's start are at the same places.
 void FieldSolving::findPulls(const std::vector<BodyIndex>& solved) {
-    std::vector<BodyMotion>& now = fields_.now;
-    if (dependsOnOtherBodies(fields_)) {
+    std::vector<BodyMotion>& now = fields_->now;
+    if (dependsOnOtherBodies(*fields_)) {
         // Bodies that are not solved move as predicted; bodies that the impacts have moved are already at the step's
         // end.
-        now = bodies_.motion;
-        for (const BodyIndex body : bodies_.awake)
-            if (!bodies_.isConstrained(body) && !bodies_.isMovedBy(body, MovedBy::Impacts) && subSteps_ > 0)
-                now[body] = moveFreely(now[body], flightLawOf(bodies_, body), subSteps_ * h_);
+        now = bodies_->motion;
+        for (const BodyIndex body : bodies_->awake)
+            if (!bodies_->isConstrained(body) && !bodies_->isMovedBy(body, MovedBy::Impacts) && subSteps_ > 0)
+                now[body] = moveFreely(now[body], flightLawOf(*bodies_, body), subSteps_ * h_);
         for (const BodyIndex body : solved)
-            if (body != noBody) now[body] = solvedMotion(bodies_, body);
+            if (body != noBody) now[body] = solvedMotion(*bodies_, body);
     }
     pulls_.resize(solved.size());
     for (std::size_t i = 0; i < solved.size(); ++i) {
         if (!isInfluenced(solved[i])) continue;
-        now[solved[i]] = solvedMotion(bodies_, solved[i]);
-        pullOn({fields_, bodies_, space_}, solved[i], now, pulls_[i]);
+        now[solved[i]] = solvedMotion(*bodies_, solved[i]);
+        pullOn({*fields_, *bodies_, *space_}, solved[i], now, pulls_[i]);
     }
     known_ = true;
     ++subSteps_;
 }
 
 bool FieldSolving::isInfluenced(BodyIndex body) const {
-    return body != noBody && bodies_.step[body].flight != none;
+    return body != noBody && bodies_->step[body].flight != none;
 }
 
-/// The same kick as in free flight (kickOf), of which the contacts then take away what they stop. It is added to
-/// before, too: it must not count as a change by contacts, which are applied again (solver_body.h).
+/// The same kick as in free flight (kickOf), of which the contacts then take away what they stop.
 void FieldSolving::kick(const std::vector<BodyIndex>& solved) {
+    if (bodies_->flights.empty()) return;
     if (!known_) findPulls(solved);
     for (std::size_t i = 0; i < solved.size(); ++i) {
         const BodyIndex body = solved[i];
         if (!isInfluenced(body)) continue;
-        const BodyRecord& record = bodies_.record[body];
-        const Acceleration base = accelerationOf(record, bodies_.gravity);
-        const FieldKick kick = kickOf(record, base, pulls_[i], speedsOf(bodies_, body), 0.5 * h_);
+        const BodyRecord& record = bodies_->record[body];
+        const Acceleration base = accelerationOf(record, bodies_->gravity);
+        const Vec3 v = velocityOf(*bodies_, body);
+        const FieldKick kick = kickOf(record, base, pulls_[i], {{v[0], v[1]}, v[2]}, 0.5 * h_);
         const VelocityChange sum = sumOf(kick);
-        addChange(bodies_.velocity[body], sum, bodies_.turn[body].gyration);
-        addChange(bodies_.before[body], sum, bodies_.turn[body].gyration);
+        addVelocity(*bodies_, body, {sum.velocity.x(), sum.velocity.y(), sum.spin});
         if (observer_ != nullptr) observer_->noteFieldKick(body, kick, base.linear * (0.5 * h_));
     }
 }

@@ -1,33 +1,51 @@
 // SPDX-License-Identifier: MIT
-// How do the fields act on the bodies that the solver moves?
+// How do the fields act on the bodies that the solver moves? And who else does what fields do in a step?
 #pragma once
 #include <plumb/dynamics/bodies/step_observer.h>
-#include <plumb/dynamics/fields/field_store.h>
+#include <plumb/dynamics/fields/field_effects.h>
+#include <plumb/dynamics/fields/field_flight.h>
+#include <plumb/dynamics/fields/field_scope.h>
 
 namespace plumb {
 
-/// Applies the fields in each half of a sub-step, after the bodies' kick and before the joints, at the positions and
-/// velocities that the bodies have at that moment.
-class FieldSolving {
+/// The field solver of a world that has fields.
+class FieldSolving final : public FieldSolver {
 public:
-    /// h: the sub-step [s]; observer: may be null.
-    FieldSolving(FieldStore& fields, BodyStore& bodies, const Space& space, double h, StepObserver* observer)
-        : fields_(fields), bodies_(bodies), space_(space), h_(h), observer_(observer) {}
+    std::unique_ptr<FieldSolver> copy() const override { return std::make_unique<FieldSolving>(); }
 
-    /// Changes the velocities of those solved bodies on which fields act. The list may be filled up with noBody.
-    void kick(const std::vector<BodyIndex>& solved);
-    /// To be called after the bodies have moved by a sub-step.
-    void moved() { known_ = false; }
+    std::vector<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex field, const BodyStore& bodies,
+                                           const Space& space) override {
+        return plumb::gatherAttracted(fields, field, bodies, space);
+    }
+    void predictFlights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt) override {
+        plumb::predictFlights(fields, bodies, space, dt);
+    }
+    FieldFlight flightFrom(FieldStore& fields, const BodyStore& bodies, const Space& space,
+                           const PredictedFlight& before, const BodyMotion& from, double start, double time) override {
+        return plumb::flightFrom(fields, bodies, space, before, from, start, time);
+    }
+    std::vector<BodyIndex> influencedBy(const FieldStores& view, const FieldRecord& field) const override {
+        return bodiesInfluencedBy(view, field);
+    }
+    double energy(const FieldStores& view) const override { return fieldEnergyOf(view); }
+    double energyOf(const FieldStores& view, BodyIndex body, const BodyMotion& there) const override {
+        return fieldEnergyOf(view, body, there);
+    }
+
+    void begin(FieldStore& fields, BodyStore& bodies, const Space& space, double h, StepObserver* observer) override;
+    void kick(const std::vector<BodyIndex>& solved) override;
+    void moved() override { known_ = false; }
 
 private:
     void findPulls(const std::vector<BodyIndex>& solved);
     bool isInfluenced(BodyIndex body) const;
 
-    FieldStore& fields_;
-    BodyStore& bodies_;
-    const Space& space_;
-    double h_;
-    StepObserver* observer_;
+    // Of the present step:
+    FieldStore* fields_ = nullptr;
+    BodyStore* bodies_ = nullptr;
+    const Space* space_ = nullptr;
+    double h_ = 0;
+    StepObserver* observer_ = nullptr;
     int subSteps_ = 0;
     bool known_ = false;
     std::vector<FieldPull> pulls_;

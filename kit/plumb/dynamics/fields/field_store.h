@@ -5,6 +5,7 @@
 
 #include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/field_def.h>
+#include <plumb/math/detail/owned.h>
 #include <plumb/shapes/aabb.h>
 
 namespace plumb {
@@ -63,10 +64,54 @@ struct FlightAccount {
     FieldAccount account;   ///< of varying fields
 };
 
-struct FieldPhases;
+/// A predicted flight, and the energy and momentum that fields give during it.
+struct FieldFlight {
+    PredictedFlight flight;
+    FieldAccount account;
+};
+
+struct FieldStore;
+struct FieldStores;
+class StepObserver;
+
+/// What do fields do in a step? Each world has a field solver: at first one of this class, which does nothing; the
+/// world's first field puts a FieldSolving in its place (field_solving.h). So the linker leaves all code of fields out
+/// of a program without fields.
+class FieldSolver {
+public:
+    virtual ~FieldSolver() = default;
+    virtual std::unique_ptr<FieldSolver> copy() const { return std::make_unique<FieldSolver>(); }
+
+    /// Before a step: notes which bodies a field attracts, and returns those that may not sleep.
+    virtual std::vector<BodyIndex> gatherAttracted(FieldStore&, FieldIndex, const BodyStore&, const Space&) {
+        return {};
+    }
+    /// At the start of a step of dt [s]: predicts the flights of all bodies on which fields act.
+    virtual void predictFlights(FieldStore&, BodyStore&, const Space&, double) {}
+    /// Predicts how a body on which fields act moves on for a time [s]. It is at from, at a time start [s] after the
+    /// step's start.
+    virtual FieldFlight flightFrom(FieldStore&, const BodyStore&, const Space&, const PredictedFlight&,
+                                   const BodyMotion&, double, double) {
+        return {};
+    }
+
+    /// Before the sub-steps of h [s]; observer: may be null.
+    virtual void begin(FieldStore&, BodyStore&, const Space&, double, StepObserver*) {}
+    /// In each half of a sub-step, after the bodies' kick and before the joints, at the positions and velocities that
+    /// the bodies have at that moment: changes the velocities of those solved bodies on which fields act. The list may
+    /// be filled up with noBody.
+    virtual void kick(const std::vector<BodyIndex>&) {}
+    /// After the bodies have moved by a sub-step.
+    virtual void moved() {}
+
+    virtual std::vector<BodyIndex> influencedBy(const FieldStores&, const FieldRecord&) const { return {}; }
+    virtual double energy(const FieldStores&) const { return 0; }  ///< of all bodies [J]
+    /// Of one body if it were there [J].
+    virtual double energyOf(const FieldStores&, BodyIndex, const BodyMotion&) const { return 0; }
+};
 
 struct FieldStore {
-    const FieldPhases* phases = nullptr;  ///< null before the first field
+    Owned<FieldSolver> solver;
     std::vector<FieldRecord> records;
     std::vector<FieldIndex> free;
 

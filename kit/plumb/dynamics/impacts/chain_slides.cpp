@@ -8,7 +8,9 @@
 #include <variant>
 
 #include <plumb/dynamics/bodies/free_motion.h>
+#include <plumb/dynamics/bodies/meeting.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/impact/detail/bounces.h>
 #include <plumb/space/detail/chain_path.h>
 
 namespace plumb {
@@ -187,7 +189,7 @@ private:
         law_ = {};
         law_.acceleration = flightLawOf(bodies_, disc_.body).acceleration.linear;
         law_.restitution = disc_.restitution;
-        law_.restingSpeed = std::abs(law_.acceleration.dot(normal)) * 0.5 * dt_;
+        law_.restingSpeed = restingSpeed(bodies_, disc_.body, disc_.ground, normal);
         return (disc_.friction == 0 || startRolling()) && settle(height, normal);
     }
 
@@ -214,7 +216,7 @@ private:
         const double fall = -law_.acceleration.dot(normal) * 0.5 * dt_, least = partingShare * speed + partingSpeed;
         const double mostParting = law_.restitution > 0 ? least : std::max(fall, least);
         if (parting > mostParting || -parting > steepArrival * speed) return false;
-        if (-parting * law_.restitution > law_.restingSpeed) return false;
+        if (bounces(law_.restitution, -parting, law_.restingSpeed)) return false;
         const double kept = std::abs(height) < nearEnough ? 0 : 0.5 * height;
         chain_.offset = disc_.radius + kept;
         const Vec2 shift = normal * (kept - height);
@@ -282,7 +284,7 @@ void noteSlide(const BodyStore& bodies, const ChainSlideEnd& slide, double dt, S
 
 }  // namespace
 
-/// MovedBy::Impacts keeps the solver from moving the discs, while it solves their contacts. Worlds that wrap are left
+/// MovedBy::Chain keeps the solver from moving the discs, while it solves their contacts. Worlds that wrap are left
 /// out: distances to the chain do not look for its nearest image. O(awake bodies), and nearly all end at the first
 /// test.
 std::vector<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore& contacts, const Space& space,
@@ -292,7 +294,7 @@ std::vector<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore
     SlideSearch search(bodies, contacts, space, dt);
     for (const BodyIndex body : bodies.awake)
         if (const std::optional<BodyMotion> motion = search.slideOf(body)) slides.push_back({body, *motion});
-    for (const ChainSlideEnd& slide : slides) bodies.step[slide.body].movedBy = MovedBy::Impacts;
+    for (const ChainSlideEnd& slide : slides) bodies.step[slide.body].movedBy = MovedBy::Chain;
     return slides;
 }
 

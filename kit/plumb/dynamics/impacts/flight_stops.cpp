@@ -12,26 +12,6 @@ namespace {
 /// walls first, so few paths change here.
 constexpr int mostFlightStops = 8;
 
-/// A body without joints, as the law of impacts at walls sees it: only its own mass responds.
-class FlyingAlone : public PushedBody {
-public:
-    FlyingAlone(const BodyRecord& record, const BodyMotion& motion) : record_(record), motion_(motion) {}
-    BodyMotion motion() const override { return motion_; }
-    Vec3 responseTo(const Vec3& impulse) override {
-        return {impulse[0] * record_.inverseMass, impulse[1] * record_.inverseMass,
-                impulse[2] * record_.inverseInertia};
-    }
-    void push(const Vec3& impulse) override {
-        const Vec3 change = responseTo(impulse);
-        motion_.velocity += Vec2(change[0], change[1]);
-        motion_.angularVelocity += change[2];
-    }
-
-private:
-    const BodyRecord& record_;
-    BodyMotion motion_;
-};
-
 class FlightStops {
 public:
     FlightStops(const ImpactStores& stores, double dt)
@@ -51,11 +31,13 @@ public:
             // A body that waits stays where it is, though it has kept its velocity: the closed form would move it on.
             if (!isStay(last))
                 last.to = moveFreely(last.from, flightLawOf(stores_.bodies, last.body), last.end - last.start);
-            FlyingAlone body(stores_.bodies.record[last.body], last.to);
-            const WallImpact impact = solveWallImpact(view_, hit, duration, body);
+            const BodyMotion wall = wallMotionAt(hit, duration);
+            const BodyRecord& record = stores_.bodies.record[last.body];
+            LooseBodies both({wall}, {last.to, record.inverseMass, record.inverseInertia});
+            const WallImpact impact = solveWallImpact(view_, hit, wall, last.to, both);
             if (impact.normalImpulse > 0) impacts_.push_back(impact);
             if (impacts == mostFlightStops || hit.manifold.count == 0) return true;
-            const BodyMotion on = body.motion();
+            const BodyMotion& on = both.b.motion;
             const FlightLaw law = flightLawOf(stores_.bodies, last.body);
             const TrajectorySegment next{last.body, on, moveFreely(on, law, dt_ - last.end), last.end, dt_};
             path.push_back(next);

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <plumb/dynamics/fields/field_phases.h>
-
 namespace plumb {
 
 FlyingBodies::FlyingBodies(const ImpactStores& stores, double dt)
@@ -51,7 +49,7 @@ void FlyingBodies::addFieldsAt(FlyingIndex number, BodyMotion& motion, double ti
     if (fields == nullptr) return;
     const double duration = time - body.flight.time;
     const FieldFlight done =
-        stores_.fields.phases->flightFrom(stores_.fields, stores_.bodies, stores_.space, fields->flight.flight,
+        stores_.fields.solver->flightFrom(stores_.fields, stores_.bodies, stores_.space, fields->flight.flight,
                                           body.flight.from, body.flight.time, duration);
     const BodyMotion end = moveFreely(body.flight.from, done.flight.law, duration);
     motion.velocity = end.velocity + done.flight.rest.velocity;
@@ -76,7 +74,7 @@ void FlyingBodies::renewFields(FlyingBody& body) {
     FlyingFields* fields = fieldsOf(body);
     if (fields == nullptr) return;
     fields->flight =
-        stores_.fields.phases->flightFrom(stores_.fields, stores_.bodies, stores_.space, fields->flight.flight,
+        stores_.fields.solver->flightFrom(stores_.fields, stores_.bodies, stores_.space, fields->flight.flight,
                                           body.flight.from, body.flight.time, dt_ - body.flight.time);
     body.flight.law = fields->flight.flight.law;
 }

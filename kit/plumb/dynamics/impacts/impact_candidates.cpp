@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <plumb/dynamics/bodies/free_motion.h>
-#include <plumb/dynamics/contacts/bounces.h>
+#include <plumb/impact/detail/bounces.h>
 
 namespace plumb {
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/collide/manifold.h>
 #include <plumb/dynamics/contacts/contact_rules.h>
+#include <plumb/dynamics/contacts/predicted_manifold.h>
 
 namespace plumb {
 
@@ -15,9 +17,6 @@ namespace {
 /// be larger, because a pair may start its step in one.
 constexpr double widestTouch = 1e-6;
 constexpr double deepestTouch = 1e-3;
-
-/// The states of the two bodies of a pair, A first.
-using TwoMotions = std::array<BodyMotion, 2>;
 
 /// The two shapes of a contact, B as the periodic image that meets A.
 struct MovingPair {
@@ -35,30 +34,25 @@ MovingPair shapesOf(const ImpactStores& stores, const FlyingBodies& bodies, cons
 
 /// Without friction, no impact can turn a disc about its centre. With an endless inertia, rounding of the arm does not
 /// turn it either: a gas of smooth discs keeps its spin of exactly zero.
-ImpactBody impactBody(const BodyRecord& record, const MovingShape& shape, const BodyMotion& motion, double friction) {
+LooseBody looseBody(const BodyRecord& record, const MovingShape& shape, const BodyMotion& motion, double friction) {
     const bool cannotTurn = friction == 0 && discOf(shape) != nullptr;
     return {motion, record.inverseMass, cannotTurn ? 0.0 : record.inverseInertia};
 }
 
-/// Adds the impulses of an impact and their work. An impulse P along a direction in which the speed goes from v to v'
-/// does the work P (v + v') / 2, exactly. The belt's surface and bodies that impulses do not move are drivers: their
-/// work is entered apart, or friction on a moving belt would seem to create energy.
-void addImpulses(const BodyStore& bodies, const ContactRecord& contact, const std::vector<PointImpulse>& given,
-                 const TwoMotions& before, const TwoMotions& after, ImpactOutcome& outcome) {
-    const Vec2 n = outcome.where.normal, t = perp(n);
-    for (const PointImpulse& point : given) {
-        const Vec2 va = 0.5 * (velocityAt(before[0], point.point) + velocityAt(after[0], point.point));
-        const Vec2 vb = 0.5 * (velocityAt(before[1], point.point) + velocityAt(after[1], point.point));
-        const Vec2 impulse = n * point.normal + t * point.tangent;
-        const double belt = static_cast<double>(contact.surfaceSpeed);
-        outcome.normalImpulse += point.normal;
-        outcome.tangentImpulse += point.tangent;
-        outcome.friction += point.tangent * (t.dot(vb - va) + belt);
-        outcome.drivers -= point.tangent * belt;
-        if (!bodies.isDynamic(contact.bodyA)) outcome.drivers += impulse.dot(va);
-        if (!bodies.isDynamic(contact.bodyB)) outcome.drivers -= impulse.dot(vb);
-        outcome.onA -= impulse;
-    }
+/// A disc has one point. Two faces that meet flat push at both ends of their common part: one point would turn a box
+/// that lands flat. Faces count as parallel if their manifold has two points within the tolerance; else the nearest
+/// points of both shapes are the only ones that touch. size: bounding radius of the larger body [m].
+std::size_t touchingPoints(const Convex& a, const Convex& b, const Encounter& e, double size,
+                           MeetingPoint (&points)[2]) {
+    const auto pointAt = [&e](const Vec2& at) { return MeetingPoint{at - e.a.center, at - e.b.center}; };
+    points[0] = pointAt(0.5 * (e.distance.pointA + e.distance.pointB));
+    if (a.count == 1 || b.count == 1) return 1;
+    const double faceTolerance = 1e-5 * size;  // the manifold is computed in floats
+    const Manifold m = manifold(a, b, relativePose(e.a, e.b), static_cast<float>(faceTolerance));
+    if (m.count < 2) return 1;
+    for (std::size_t p = 0; p < 2; ++p)
+        points[p] = pointAt(e.a.center + e.a.rotation * Vec2(m.points[p].position.cast<double>()));
+    return 2;
 }
 
 }  // namespace
@@ -94,22 +88,19 @@ bool solvePair(const ImpactStores& stores, FlyingBodies& bodies, const ImpactPai
     if (e.distance.separation > widestTouch || e.distance.separation < -deepestTouch) return false;
     bodies.addFieldsAt(pair.a, e.a, time);
     bodies.addFieldsAt(pair.b, e.b, time);
-    outcome.where = e.distance;
-    outcome.approachSpeed = std::max(outcome.approachSpeed, e.closingSpeed);
-    // Two faces that meet flat push at both ends of their common part: one point would turn a box that lands flat.
-    const std::vector<Vec2> points =
-        touchingPoints(stores.space[contact.proxyA].convex, e.a, stores.space[contact.proxyB].convex, e.b, e.distance,
-                       std::max(shapes.a.boundingRadius, shapes.b.boundingRadius));
+    MeetingPoint points[2];
+    const std::size_t count = touchingPoints(stores.space[contact.proxyA].convex, stores.space[contact.proxyB].convex,
+                                             e, std::max(shapes.a.boundingRadius, shapes.b.boundingRadius), points);
     const auto& records = stores.bodies.record;
-    ImpactBody a = impactBody(records[contact.bodyA], shapes.a, e.a, contact.friction);
-    ImpactBody b = impactBody(records[contact.bodyB], shapes.b, e.b, contact.friction);
+    LooseBodies both(looseBody(records[contact.bodyA], shapes.a, e.a, contact.friction),
+                     looseBody(records[contact.bodyB], shapes.b, e.b, contact.friction));
     const ImpactLaw law{contact.restitution, contact.friction, static_cast<double>(contact.surfaceSpeed)};
-    const std::vector<PointImpulse> given = solveImpact(points, e.distance.normal, law, a, b);
-    addImpulses(stores.bodies, contact, given, {e.a, e.b}, {a.motion, b.motion}, outcome);
+    outcome.where = e.distance;
+    outcome.add(solveMeeting({points, count}, e.distance.normal, law, 0, both));
     e.b.center -= contact.shift;  // back from the image to B's own place
-    b.motion.center -= contact.shift;
-    bodies.depart(pair.a, e.a, a.motion, time);
-    bodies.depart(pair.b, e.b, b.motion, time);
+    both.b.motion.center -= contact.shift;
+    bodies.depart(pair.a, e.a, both.a.motion, time);
+    bodies.depart(pair.b, e.b, both.b.motion, time);
     return true;
 }
 
@@ -122,7 +113,7 @@ void storeOutcome(const ImpactStores& stores, ContactIndex index, const ImpactOu
     if (stores.observer != nullptr) {
         const bool pushA = stores.bodies.isDynamic(contact.bodyA), pushB = stores.bodies.isDynamic(contact.bodyB);
         Vec2 ground(0, 0);
-        if (pushA != pushB) ground = pushA ? outcome.onA : Vec2(-outcome.onA);
+        if (pushA != pushB) ground = pushB ? outcome.onB : Vec2(-outcome.onB);
         stores.observer->noteImpact(outcome.friction, outcome.drivers, 0, ground);
     }
     contact.memory[0].totalNormal = static_cast<float>(outcome.normalImpulse);

@@ -6,9 +6,9 @@
 #pragma once
 #include <array>
 
+#include <plumb/dynamics/bodies/meeting.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/dynamics/impacts/flying_bodies.h>
-#include <plumb/dynamics/meetings/face_impact.h>
 
 namespace plumb {
 
@@ -24,10 +24,7 @@ struct ImpactPair {
 };
 
 /// What the impacts of a pair were in this step.
-struct ImpactOutcome {
-    double approachSpeed = 0, normalImpulse = 0, tangentImpulse = 0;
-    double friction = 0, drivers = 0;  ///< energy from friction, and from bodies that impulses do not move [J]
-    Vec2 onA{0, 0};                    ///< total impulse on A [N s]
+struct ImpactOutcome : Meeting {
     Distance where;
 };
 

@@ -4,110 +4,87 @@
 #include <cmath>
 
 #include <plumb/dynamics/contacts/contact_lane.h>
+#include <plumb/dynamics/contacts/contact_point.h>
 
 namespace plumb {
 
-namespace {
-
-/// The slot of a contact in the solver.
-struct ContactSlot {
-    ContactBatch& batch;
-    std::size_t lane;
-    bool isGround;
-
-    ContactSlot(ContactGraph& graph, const ContactRecord& contact)
-        : batch(graph.colours[contact.colour].batches[contact.slot / batchLanes]),
-          lane(contact.slot % batchLanes),
-          isGround(colourAt(contact.colour) >= fixedColour && colourAt(contact.colour) != overflowColour) {}
-    Vec2 normal() const { return {static_cast<double>(batch.normalX[lane]), static_cast<double>(batch.normalY[lane])}; }
-};
-
-void setMasses(BodyStore& bodies, const JointedContacts& jointed, const std::vector<ContactBody>& some) {
-    for (const ContactBody& seen : some)
-        setSolverMass(jointed.graph, jointed.contacts, bodies, seen.body, static_cast<float>(1 / seen.mass),
+void JointedContacts::setMasses(const JointStores& stores) const {
+    for (const ContactBody& seen : seen_)
+        setSolverMass(*stores.graph, *stores.contacts, *stores.bodies, seen.body, static_cast<float>(1 / seen.mass),
                       seen.inertia > 0 ? static_cast<float>(std::sqrt(seen.mass / seen.inertia)) : 0.0f);
 }
 
-/// Calls visit(contact, its slot) where islands have changed.
+/// Calls visit(contact, its lane, its pass) where islands have changed.
 template <class Visit>
-void forEachChanged(const JointedContacts& jointed, Visit&& visit) {
-    for (const JointedContact& one : jointed.some)
-        if (one.batch->contacts.hasChanged(one.lane))
-            visit(one, ContactSlot(jointed.graph, jointed.contacts[one.contact]));
+void JointedContacts::forEachChanged(const JointStores& stores, Visit&& visit) const {
+    for (const Jointed& one : some_) {
+        if (!one.batch->contacts.hasChanged(one.lane)) continue;
+        const ContactRecord& contact = (*stores.contacts)[one.contact];
+        visit(one, stores.graph->laneOf(contact), stores.passes.of(isOfGround(contact.colour)));
+    }
 }
 
 /// Returns true if an island has changed. If none can, the loads are noted at once, while the numbers are at hand.
-bool respondToContacts(const JointStores& stores, const JointHalf& half, bool mayChange) {
+bool JointedContacts::respondOnce(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn) {
     bool changed = false;
-    for (JointBatch& batch : batchesOf(stores)) {
-        const LaneFlags touched = batch.respondToContacts(stores.bodies, turnOf(stores, half));
-        changed = batch.contacts.findChanged(batch.numbers, stores.bodies, touched) || changed;
-        if (!mayChange) batch.note(stores.observer);
+    for (JointBatch& batch : batches) {
+        const LaneFlags touched = batch.respondToContacts(*stores.bodies, turn);
+        changed = batch.contacts.findChanged(batch.numbers, *stores.bodies, touched) || changed;
+        if (some_.empty()) batch.note(stores.observer);
     }
     return changed;
 }
 
-void takeBack(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed) {
-    const SolverBodies bodies = stores.bodies.solverBodies();
-    forEachChanged(jointed, [&](const JointedContact& one, const ContactSlot& slot) {
-        takeBackLane(slot.batch, slot.lane, bodies, one.start);
+/// Takes the contacts back, and solves them with the masses that their bodies have now.
+void JointedContacts::solveAgain(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn) {
+    const SolverBodies bodies = stores.bodies->solverBodies();
+    forEachChanged(stores, [&](const Jointed& one, const ContactLane& at, const ContactPass&) {
+        takeBackLane(at.batch, at.lane, bodies, one.start);
     });
-    for (JointBatch& batch : batchesOf(stores)) batch.respondToContacts(stores.bodies, turnOf(stores, half));
-}
-
-void solveContactsAgain(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed) {
-    std::vector<ContactBody> changed;
-    for (JointBatch& batch : batchesOf(stores)) batch.contacts.findChangedBodies(batch.numbers, stores.bodies, changed);
-    setMasses(stores.bodies, jointed, changed);
-    const SolverBodies bodies = stores.bodies.solverBodies();
-    forEachChanged(jointed, [&](const JointedContact& one, const ContactSlot& slot) {
-        const ContactPass& pass = slot.isGround ? jointed.groundPass : jointed.pass;
-        if (half.correct)
-            solveLane(slot.batch, slot.lane, bodies, pass);
-        else
-            relaxLane(slot.batch, slot.lane, bodies, pass, one.start);
+    seen_.clear();
+    for (JointBatch& batch : batches) batch.respondToContacts(*stores.bodies, turn);
+    for (JointBatch& batch : batches) batch.contacts.findChangedBodies(batch.numbers, *stores.bodies, seen_);
+    setMasses(stores);
+    forEachChanged(stores, [&](const Jointed& one, const ContactLane& at, const ContactPass& pass) {
+        turn.correct ? solveLane(at.batch, at.lane, bodies, pass)
+                     : relaxLane(at.batch, at.lane, bodies, pass, one.start);
     });
 }
 
-}  // namespace
-
-void findJointedContacts(const JointStores& stores, JointedContacts& jointed) {
-    jointed.some.clear();
-    for (const JointIsland& island : stores.islands.islands) {
+void JointedContacts::find(const JointStores& stores, std::span<const JointIsland> islands) {
+    some_.clear();
+    for (const JointIsland& island : islands) {
         if (island.isSwept() || !mayChange(island.batch->numbers, island.lane)) continue;
         for (std::size_t node = 0; node < island.bodies.size(); ++node)
-            forEachContact(stores.bodies, jointed.contacts, island.bodies[node], [&](ContactIndex index) {
-                const ContactRecord& contact = jointed.contacts[index];
+            forEachContact(*stores.bodies, *stores.contacts, island.bodies[node], [&](ContactIndex index) {
+                const ContactRecord& contact = (*stores.contacts)[index];
                 if (!contact.isSolved()) return;
-                jointed.some.push_back({island.batch, island.lane, index, {}});
+                some_.push_back({island.batch, island.lane, index, {}});
+                const ContactLane at = stores.graph->laneOf(contact);
                 const double sign = contact.bodyB == island.bodies[node] ? 1 : -1;
-                addNormal(island.batch->numbers, island.lane, node,
-                          sign * ContactSlot(jointed.graph, contact).normal());
+                addNormal(island.batch->numbers, island.lane, node, sign * normalAt(at.batch, at.lane));
             });
     }
 }
 
-void startContacts(const JointStores& stores, const JointHalf& half, JointedContacts& jointed) {
-    std::vector<ContactBody> seen;
-    for (JointBatch& batch : batchesOf(stores))
-        batch.contacts.findBodies(batch.numbers, stores.bodies, half.isFirst, seen);
-    setMasses(stores.bodies, jointed, seen);
-    for (JointedContact& one : jointed.some) {
-        const ContactSlot slot(jointed.graph, jointed.contacts[one.contact]);
-        one.start = impulsesOf(slot.batch, slot.lane);
+void JointedContacts::start(const JointStores& stores, std::span<JointBatch> batches, bool isFirst) {
+    seen_.clear();
+    for (JointBatch& batch : batches) batch.contacts.findBodies(batch.numbers, *stores.bodies, isFirst, seen_);
+    setMasses(stores);
+    for (Jointed& one : some_) {
+        const ContactLane at = stores.graph->laneOf((*stores.contacts)[one.contact]);
+        one.start = impulsesOf(at.batch, at.lane);
     }
 }
 
-void respondToContacts(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed) {
+void JointedContacts::respond(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn) {
     constexpr int mostRounds = 3;  // in the last one no stop counts: contacts give too little rather than too much
-    const bool mayChange = !jointed.some.empty();
-    for (int round = 1; respondToContacts(stores, half, mayChange) && round <= mostRounds; ++round) {
-        for (JointBatch& batch : batchesOf(stores)) batch.contacts.noteLoadedStops(batch.numbers, round < mostRounds);
-        takeBack(stores, half, jointed);
-        solveContactsAgain(stores, half, jointed);
+    for (int round = 1; respondOnce(stores, batches, turn) && round <= mostRounds; ++round) {
+        for (JointBatch& batch : batches) batch.contacts.noteLoadedStops(batch.numbers, round < mostRounds);
+        solveAgain(stores, batches, turn);
     }
-    if (!mayChange) return;
-    for (JointBatch& batch : batchesOf(stores)) batch.note(stores.observer);
+    if (some_.empty()) return;
+    for (JointBatch& batch : batches) batch.note(stores.observer);
 }
 
 }  // namespace plumb

@@ -15,32 +15,36 @@
 #pragma once
 #include <vector>
 
-#include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/dynamics/contacts/lanes/contact_solver.h>
-#include <plumb/dynamics/joints/joint_islands.h>
+#include <plumb/dynamics/jointed/joint_solver.h>
 
 namespace plumb {
 
-/// A contact that may have to be solved again, and its impulses before this half.
-struct JointedContact {
-    JointBatch* batch = nullptr;
-    std::size_t lane = 0;  ///< in that batch
-    ContactIndex contact = none;
-    ContactImpulses start{};
-};
+class JointedContacts {
+public:
+    /// At the start of a step: finds the contacts that may have to be solved again.
+    void find(const JointStores& stores, std::span<const JointIsland> islands);
+    /// Before contacts are solved in a half: lets them see the right masses.
+    void start(const JointStores& stores, std::span<JointBatch> batches, bool isFirst);
+    /// After contacts are solved: lets the joints respond to their impulses, and notes the loads of the joints.
+    void respond(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn);
 
-struct JointedContacts {
-    ContactGraph& graph;
-    const ContactStore& contacts;
-    ContactPass pass, groundPass;
-    std::vector<JointedContact> some{};  ///< those that may have to be solved again
-};
+private:
+    /// A contact that may have to be solved again, and its impulses before this half.
+    struct Jointed {
+        JointBatch* batch = nullptr;
+        std::size_t lane = 0;  ///< in that batch
+        ContactIndex contact = none;
+        ContactImpulses start{};
+    };
 
-/// At the start of a step: finds the contacts that may have to be solved again.
-void findJointedContacts(const JointStores& stores, JointedContacts& jointed);
-/// Before contacts are solved in a half: lets them see the right masses.
-void startContacts(const JointStores& stores, const JointHalf& half, JointedContacts& jointed);
-/// After contacts are solved: lets the joints respond to their impulses, and notes the loads of the joints.
-void respondToContacts(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed);
+    bool respondOnce(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn);
+    void solveAgain(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn);
+    void setMasses(const JointStores& stores) const;
+    template <class Visit>
+    void forEachChanged(const JointStores& stores, Visit&& visit) const;
+
+    std::vector<Jointed> some_;      ///< those that may have to be solved again
+    std::vector<ContactBody> seen_;  ///< bodies that contacts shall see with other masses
+};
 
 }  // namespace plumb

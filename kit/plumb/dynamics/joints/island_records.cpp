@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <plumb/dynamics/bodies/free_motion.h>
+#include <plumb/dynamics/bodies/solver_velocity.h>
 
 namespace plumb {
 
@@ -139,17 +140,16 @@ bool pullPlace(double& value, float record) {
     return true;
 }
 
-void pullVelocity(const IslandNumbers& numbers, const BodyStore& bodies, std::size_t n, std::size_t lane, int field) {
+void pullVelocity(const IslandNumbers& numbers, const BodyStore& bodies, std::size_t n, std::size_t lane) {
     const BodyIndex index = numbers.movedBody(n, lane);
     const SolverVelocity& v = bodies.velocity[index];
-    pullChange(numbers.body(n, field, lane), v.x, 1);
-    pullChange(numbers.body(n, field + 1, lane), v.y, 1);
-    pullChange(numbers.body(n, field + 2, lane), v.w, static_cast<double>(bodies.turn[index].gyration));
+    pullChange(numbers.body(n, BodyField::Vx, lane), v.x, 1);
+    pullChange(numbers.body(n, BodyField::Vy, lane), v.y, 1);
+    pullChange(numbers.body(n, BodyField::Spin, lane), v.w, static_cast<double>(bodies.turn[index].gyration));
 }
 
 /// Returns true if its place has changed.
-bool pullMove(const IslandNumbers& numbers, const BodyStore& bodies, std::size_t n, std::size_t lane) {
-    pullVelocity(numbers, bodies, n, lane, BodyField::Vx);
+bool pullPlace(const IslandNumbers& numbers, const BodyStore& bodies, std::size_t n, std::size_t lane) {
     const BodyIndex index = numbers.movedBody(n, lane);
     const SolverDisplacement& d = bodies.displacement[index];
     const bool x = pullPlace(numbers.body(n, BodyField::X, lane), d.x);
@@ -190,31 +190,30 @@ void storeIslands(const IslandNumbers& numbers, JointStore& joints, BodyStore& b
     }
 }
 
-void pullVelocities(const IslandNumbers& numbers, const BodyStore& bodies, int field) {
-    numbers.forEachMoved([&](std::size_t n, std::size_t lane) { pullVelocity(numbers, bodies, n, lane, field); });
+void pullVelocities(const IslandNumbers& numbers, const BodyStore& bodies) {
+    numbers.forEachMoved([&](std::size_t n, std::size_t lane) { pullVelocity(numbers, bodies, n, lane); });
 }
 
-void writeVelocities(const IslandNumbers& numbers, BodyStore& bodies, int field) {
+void writeVelocities(const IslandNumbers& numbers, BodyStore& bodies) {
     numbers.forEachMoved([&](std::size_t n, std::size_t lane) {
-        if (numbers.active[lane] == 0) return;
-        const BodyIndex index = numbers.movedBody(n, lane);
-        SolverVelocity& v = bodies.velocity[index];
-        v.x = rounded(numbers.body(n, field, lane));
-        v.y = rounded(numbers.body(n, field + 1, lane));
-        v.w = rounded(numbers.body(n, field + 2, lane) * static_cast<double>(bodies.turn[index].gyration));
+        const auto at = [&](int part) { return numbers.body(n, BodyField::Vx + part, lane); };
+        if (numbers.active[lane] != 0) setVelocity(bodies, numbers.movedBody(n, lane), {at(0), at(1), at(2)});
     });
 }
 
-void pullMoves(IslandNumbers& numbers, const BodyStore& bodies) {
+void pullPlaces(IslandNumbers& numbers, const BodyStore& bodies) {
     bool changed = false;
     numbers.forEachMoved(
-        [&](std::size_t n, std::size_t lane) { changed = pullMove(numbers, bodies, n, lane) || changed; });
+        [&](std::size_t n, std::size_t lane) { changed = pullPlace(numbers, bodies, n, lane) || changed; });
     if (changed) numbers.kernel->place(numbers.view);
 }
 
 void pullMoves(IslandNumbers& numbers, const BodyStore& bodies, std::size_t lane) {
     bool changed = false;
-    for (std::size_t n = 0; n < numbers.layout->moved; ++n) changed = pullMove(numbers, bodies, n, lane) || changed;
+    for (std::size_t n = 0; n < numbers.layout->moved; ++n) {
+        pullVelocity(numbers, bodies, n, lane);
+        changed = pullPlace(numbers, bodies, n, lane) || changed;
+    }
     if (changed) numbers.kernel->place(numbers.view);
 }
 

@@ -18,14 +18,12 @@ void loadIslands(const IslandNumbers& numbers, const JointStore& joints, const B
 /// At its end: writes states and loads of the joints, stiffness of the islands and moments of inertia.
 void storeIslands(const IslandNumbers& numbers, JointStore& joints, BodyStore& bodies);
 
-/// field: the velocities themselves, or, for the forces of others, the free ones, which are without joints' impulses.
-void pullVelocities(const IslandNumbers& numbers, const BodyStore& bodies, int field);
+void pullVelocities(const IslandNumbers& numbers, const BodyStore& bodies);
+void pullPlaces(IslandNumbers& numbers, const BodyStore& bodies);
 /// Of active lanes.
-void writeVelocities(const IslandNumbers& numbers, BodyStore& bodies, int field = BodyField::Vx);
-/// Pulls velocities and places.
-void pullMoves(IslandNumbers& numbers, const BodyStore& bodies);
-/// Of one island. The others stay as they are: what is added in two parts is rounded otherwise than what is added at
-/// once, and bits must not depend on who shares a batch.
+void writeVelocities(const IslandNumbers& numbers, BodyStore& bodies);
+/// Velocities and places of one island. The others stay as they are: what is added in two parts is rounded otherwise
+/// than what is added at once, and bits must not depend on who shares a batch.
 void pullMoves(IslandNumbers& numbers, const BodyStore& bodies, std::size_t lane);
 void writePlaces(const IslandNumbers& numbers, BodyStore& bodies);
 

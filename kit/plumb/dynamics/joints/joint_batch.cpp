@@ -34,15 +34,15 @@ void JointBatch::store(JointStore& joints, BodyStore& bodies) {
 }
 
 void JointBatch::pull(const BodyStore& bodies) {
-    if (std::exchange(moved_, false))
-        pullMoves(numbers, bodies);
-    else
-        pullVelocities(numbers, bodies, BodyField::Vx);
+    if (std::exchange(moved_, false)) pullPlaces(numbers, bodies);
+    pullVelocities(numbers, bodies);
 }
 
+/// Dampers act by the speeds before this half, so these are noted before the kicks of fields are taken in.
 void JointBatch::kick(const BodyStore& bodies, bool correct) {
-    pull(bodies);
+    if (std::exchange(moved_, false)) pullPlaces(numbers, bodies);
     if (correct) numbers.kernel->noteSpeeds(numbers.view);
+    pullVelocities(numbers, bodies);
     if (pieces_ > 1) endPieces();
     numbers.kernel->setMasses(numbers.view, h_);
     numbers.kernel->kick(numbers.view);
@@ -125,9 +125,6 @@ LaneFlags JointBatch::respondToContacts(BodyStore& bodies, const IslandTurn& tur
     findSolution(ownTurn(turn), touched, 0);
     numbers.active = touched;
     writeVelocities(numbers, bodies);
-    for (std::size_t lane = 0; lane < numbers.width; ++lane)
-        if (touched[lane] != 0)
-            for (const BodyIndex body : numbers.islands[lane]->bodies) bodies.before[body] = bodies.velocity[body];
     return touched;
 }
 
@@ -170,29 +167,37 @@ void JointBatch::addLoads(std::size_t lane) {
     numbers.kernel->addLoads(numbers.view);
 }
 
-Vec3 JointBatch::responseTo(std::size_t lane, std::size_t node, const Vec3& impulse) {
+void JointBatch::respond(std::size_t lane, std::span<BodyPush> pushes) {
     numbers.activateOnly(lane);
     numbers.kernel->prepare(numbers.view, {h_, false, false, 0});
     for (std::size_t n = 0; n < numbers.layout->bodies; ++n)
         for (std::size_t l = 0; l < numbers.width; ++l)
             for (int c = 0; c < 3; ++c) numbers.body(n, BodyField::Ux + c, l) = numbers.body(n, BodyField::Vx + c, l);
-    const auto at = [&](int field, int c) -> double& { return numbers.body(node, field + c, lane); };
-    const Vec3 change = changeBy(lane, node, impulse);
-    for (int c = 0; c < 3; ++c) at(BodyField::Ux, c) += change[static_cast<std::size_t>(c)];
+    addPushes(lane, pushes, BodyField::Ux);
     numbers.kernel->solvePush(numbers.view);
-    Vec3 response{};
-    for (int c = 0; c < 3; ++c) response[static_cast<std::size_t>(c)] = at(BodyField::Ux, c) - at(BodyField::Vx, c);
-    return response;
+    for (BodyPush& one : pushes) {
+        const std::size_t node = numbers.islands[lane]->nodeOf(one.body);
+        for (int c = 0; c < 3; ++c)
+            one.change[static_cast<std::size_t>(c)] =
+                numbers.body(node, BodyField::Ux + c, lane) - numbers.body(node, BodyField::Vx + c, lane);
+    }
 }
 
-/// The impulse goes to the free velocity too: else the next solution in this half would take it back.
-void JointBatch::push(BodyStore& bodies, std::size_t lane, std::size_t node, const Vec3& impulse) {
-    responseTo(lane, node, impulse);
+/// The impulses go to the free velocities too: else the next solution in this half would take them back.
+void JointBatch::push(BodyStore& bodies, std::size_t lane, std::span<BodyPush> pushes) {
+    respond(lane, pushes);
     numbers.kernel->accept(numbers.view);
     writeVelocities(numbers, bodies);
-    const Vec3 change = changeBy(lane, node, impulse);
-    for (int c = 0; c < 3; ++c) numbers.body(node, BodyField::FreeX + c, lane) += change[static_cast<std::size_t>(c)];
+    addPushes(lane, pushes, BodyField::FreeX);
     pushed_[lane] = 1;
+}
+
+void JointBatch::addPushes(std::size_t lane, std::span<BodyPush> pushes, int field) {
+    for (const BodyPush& one : pushes) {
+        const std::size_t node = numbers.islands[lane]->nodeOf(one.body);
+        const Vec3 change = changeBy(lane, node, one.impulse);
+        for (int c = 0; c < 3; ++c) numbers.body(node, field + c, lane) += change[static_cast<std::size_t>(c)];
+    }
 }
 
 Vec3 JointBatch::changeBy(std::size_t lane, std::size_t node, const Vec3& impulse) const {

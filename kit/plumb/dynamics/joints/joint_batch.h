@@ -13,6 +13,12 @@
 
 namespace plumb {
 
+/// An impulse on a body, and the change of the body's velocity; each along x, along y, turning.
+struct BodyPush {
+    BodyIndex body = noBody;
+    Vec3 impulse{}, change{};
+};
+
 class JointBatch {
 public:
     IslandNumbers numbers;
@@ -51,10 +57,10 @@ public:
     void sweep(BodyStore& bodies, const IslandTurn& turn, double compliance, StepObserver* observer);
 
     // Of one island:
-    /// By how much an impulse (x, y, turning) would change the velocity of a body, with the joints' response.
-    Vec3 responseTo(std::size_t lane, std::size_t node, const Vec3& impulse);
-    /// Applies it, and the impulses of the joints that follow from it.
-    void push(BodyStore& bodies, std::size_t lane, std::size_t node, const Vec3& impulse);
+    /// By how much impulses together would change the velocities of these bodies, with the joints' response.
+    void respond(std::size_t lane, std::span<BodyPush> pushes);
+    /// Applies them, and the impulses of the joints that follow from them.
+    void push(BodyStore& bodies, std::size_t lane, std::span<BodyPush> pushes);
     void addLoads(std::size_t lane);
     /// Removes the errors of its held rows after the coming h [s].
     void closeGaps(BodyStore& bodies, std::size_t lane, double h, double fastest);
@@ -75,7 +81,8 @@ private:
     void noteStates();
     void note(StepObserver* observer, double h, bool inPieces);
     IslandTurn ownTurn(IslandTurn turn) const;
-    /// The change of velocity of a body by an impulse, without the joints'.
+    /// Adds the changes of velocity by impulses, without the joints', to velocities of a kind.
+    void addPushes(std::size_t lane, std::span<BodyPush> pushes, int field);
     Vec3 changeBy(std::size_t lane, std::size_t node, const Vec3& impulse) const;
 
     double h_ = 0;        ///< of the sub-step [s]

@@ -138,6 +138,16 @@ std::vector<JointIsland> islandsOf(const JointStore& joints, const BodyStore& bo
 
 }  // namespace
 
+std::size_t JointIslands::bytes() const {
+    std::size_t bytes = bytesOf(joints) + bytesOf(breakable) + bytesOf(alike) + layouts.bytes() + bytesOf(islands);
+    for (const JointIsland& island : islands)
+        bytes += bytesOf(island.joints) + bytesOf(island.laid) + bytesOf(island.sprung) + bytesOf(island.held) +
+                 bytesOf(island.bodies) + bytesOf(island.stiffness) + island.hinges.bytes();
+    for (const std::vector<std::uint32_t>& group : alike) bytes += bytesOf(group);
+    for (const JointBatch& batch : batches) bytes += sizeof(JointBatch) + batch.bytes();
+    return bytes;
+}
+
 void findJointIslands(JointIslands& found, JointStore& joints, const BodyStore& bodies) {
     found.layouts.renew();
     IslandsBefore before(std::move(found.islands), joints, bodies.record.size());

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What does the joint solver know of a world?
+// Which islands do the joints of a world form, and how are these solved side by side?
 #pragma once
 #include <span>
 #include <vector>
 
-#include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/joints/joint_batch.h>
 #include <plumb/dynamics/joints/joint_island.h>
-#include <plumb/dynamics/solver_settings.h>
 
 namespace plumb {
 
@@ -23,39 +21,15 @@ struct JointIslands {
     std::vector<JointIndex> joints;                 ///< of all islands, in the order of their slots
     std::vector<JointIndex> breakable;              ///< those of the joints that can break
     IslandLayouts layouts;
-};
 
-/// The stores that the joint solver reads and writes.
-struct JointStores {
-    JointStore& joints;
-    JointIslands& islands;
-    BodyStore& bodies;
-    const SolverSettings& settings;
-    StepObserver* observer = nullptr;  ///< may be null
+    /// Those whose islands meet contacts, or something else that may push them in this step; then the others in use.
+    std::span<JointBatch> meetingBatches() { return {batches.data(), meeting}; }
+    std::span<JointBatch> flyingBatches() { return {batches.data() + meeting, batchCount - meeting}; }
+    std::size_t bytes() const;
 };
 
 /// Finds the islands of all joints that act and have an awake body, in the order of their first joints. Those whose
 /// joints and bodies were not edited keep their layouts.
 void findJointIslands(JointIslands& found, JointStore& joints, const BodyStore& bodies);
-
-/// One half of a sub-step.
-struct JointHalf {
-    double step = 0;       ///< of the sub-step [s]
-    bool correct = false;  ///< true in the half before the bodies move: corrects position errors too
-    bool isFirst = false;  ///< of the step
-};
-
-inline IslandTurn turnOf(const JointStores& stores, const JointHalf& half) {
-    return {half.step, half.correct, false, stores.settings.contactPushSpeed};
-}
-
-/// The batches whose islands meet contacts, or something else that may push them in this step.
-inline std::span<JointBatch> batchesOf(const JointStores& stores) {
-    return {stores.islands.batches.data(), stores.islands.meeting};
-}
-/// The other batches in use.
-inline std::span<JointBatch> flyingBatchesOf(const JointStores& stores) {
-    return {stores.islands.batches.data() + stores.islands.meeting, stores.islands.batchCount - stores.islands.meeting};
-}
 
 }  // namespace plumb

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include <plumb/dynamics/fields/field_phases.h>
-
 namespace plumb {
 
 /// m v^2 / 2 + I w^2 / 2. A body of fixed rotation keeps its inertia in its record, but nothing turns it:
@@ -41,7 +39,7 @@ void Account::close(const LedgerView& view, Energy energy, Momentum momentum) {
     EnergyLedger& e = ledger_.energy;
     const BodyStore& bodies = view.bodies;
     e.kinetic = e.gravitational = e.spring = 0;
-    e.fields = view.fields.empty() ? 0 : view.fields.phases->energy({view.fields, bodies, view.space});
+    e.fields = view.fields.solver->energy({view.fields, bodies, view.space});
     Vec2 sum(0, 0);
     for (BodyIndex body = 1; body < bodies.record.size(); ++body) {
         const BodyRecord& record = bodies.record[body];
@@ -52,7 +50,7 @@ void Account::close(const LedgerView& view, Energy energy, Momentum momentum) {
         e.gravitational += gravitationalEnergyOf(record, motion.center, bodies.gravity);
         sum += record.mass * motion.velocity;
     }
-    if (view.jointPhases != nullptr) e.spring = view.jointPhases->springEnergy(view.joints, bodies);
+    e.spring = view.jointSolver.springEnergy(view.joints, bodies);
     e.*energy += (e.stored() - energy_) - notedEnergy_;
     ledger_.momentum.*momentum += (sum - momentum_) - notedMomentum_;
     ledger_.momentum.momentum = momentum_ = sum;

@@ -3,7 +3,7 @@
 #pragma once
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/fields/field_store.h>
-#include <plumb/dynamics/jointed/joint_phases.h>
+#include <plumb/dynamics/jointed/joint_solver.h>
 #include <plumb/dynamics/ledger.h>
 
 namespace plumb {
@@ -15,7 +15,7 @@ struct LedgerView {
     const ContactGraph& graph;
     const JointStore& joints;
     const Space& space;
-    const JointPhases* jointPhases = nullptr;  ///< null if the world has no joints
+    const JointSolver& jointSolver;
 };
 
 double kineticEnergyOf(const BodyRecord& body, const Vec2& velocity, double spin);              ///< [J]

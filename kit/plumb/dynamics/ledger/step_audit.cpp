@@ -4,27 +4,14 @@
 #include <algorithm>
 
 #include <plumb/dynamics/bodies/free_motion.h>
-#include <plumb/dynamics/fields/field_phases.h>
+#include <plumb/dynamics/contacts/contact_point.h>
 
 namespace plumb {
 
 namespace {
 
-/// The speed of a contact's point on one body along an axis. turn: the arm's part, divided by the radius of gyration.
-double speedAlong(const SolverVelocity& v, double x, double y, double turn) {
-    return x * static_cast<double>(v.x) + y * static_cast<double>(v.y) + turn * static_cast<double>(v.w);
-}
-
 Vec2 linearOf(const SolverVelocity& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
-
-/// Calls visit(batch, its manifolds, lane).
-template <class Visit>
-void forEachLane(const ContactGraph& graph, Visit&& visit) {
-    for (const Colour& colour : graph.colours)
-        for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot)
-            visit(colour.batches[slot / batchLanes], colour.manifolds[slot / batchLanes], slot % batchLanes);
 }
 
 }  // namespace
@@ -51,22 +38,12 @@ struct StepAudit::Lane {
         }
         roll = static_cast<double>(batch.rollImpulse[lane]);
     }
-    double nx() const { return static_cast<double>(batch.normalX[lane]); }
-    double ny() const { return static_cast<double>(batch.normalY[lane]); }
-    // Along the normal, and along the tangent (-ny, nx), of a point on A and on B.
-    double normalA(std::size_t p) const {
-        return speedAlong(a, nx(), ny(), -static_cast<double>(batch.points[p].anchorTangentA[lane]));
-    }
-    double normalB(std::size_t p) const {
-        return speedAlong(b, nx(), ny(), -static_cast<double>(batch.points[p].anchorTangentB[lane]));
-    }
+    // Of a point on A and on B.
+    double normalA(std::size_t p) const { return normalAxis(batch, lane, p, false).speedOf(a); }
+    double normalB(std::size_t p) const { return normalAxis(batch, lane, p, true).speedOf(b); }
+    double tangentA(std::size_t p) const { return tangentAxis(batch, lane, p, false).speedOf(a); }
+    double tangentB(std::size_t p) const { return tangentAxis(batch, lane, p, true).speedOf(b); }
     double approach() const { return std::max(normalA(0) - normalB(0), normalA(1) - normalB(1)); }
-    double tangentA(std::size_t p) const {
-        return speedAlong(a, -ny(), nx(), static_cast<double>(batch.points[p].anchorNormalA[lane]));
-    }
-    double tangentB(std::size_t p) const {
-        return speedAlong(b, -ny(), nx(), static_cast<double>(batch.points[p].anchorNormalB[lane]));
-    }
     double rollA() const { return static_cast<double>(batch.rollInverseGyrationA[lane] * a.w); }
     double rollB() const { return static_cast<double>(batch.rollInverseGyrationB[lane] * b.w); }
 };
@@ -84,8 +61,7 @@ void StepAudit::noteFlight(BodyIndex body, const BodyMotion& from, const BodyMot
     const auto energyAt = [&](const BodyMotion& m) {
         return kineticEnergyOf(record, m.velocity, m.angularVelocity) +
                gravitationalEnergyOf(record, m.center, bodies_.gravity) +
-               (view_.fields.empty() ? 0
-                                     : view_.fields.phases->energyOf({view_.fields, bodies_, view_.space}, body, m));
+               view_.fields.solver->energyOf({view_.fields, bodies_, view_.space}, body, m);
     };
     const std::uint32_t flight = bodies_.step[body].flight;
     if (flight != none &&
@@ -190,6 +166,7 @@ void StepAudit::noteContact(const Lane& before, const Lane& after, bool hits) {
     const double belt = batch.hasSurfaceSpeed ? static_cast<double>(batch.surfaceSpeed[after.lane]) : 0.0;
     const bool pushA = after.a.inverseMass > 0, pushB = after.b.inverseMass > 0;
     double friction = 0, impacts = 0, drivers = 0;
+    const Vec2 n = normalAt(batch, after.lane);
     Vec2 impulse(0, 0);
     for (std::size_t p = 0; p < 2; ++p) {
         const double normal = after.normal[p] - before.normal[p], tangent = after.tangent[p] - before.tangent[p];
@@ -203,7 +180,7 @@ void StepAudit::noteContact(const Lane& before, const Lane& after, bool hits) {
         // A body that cannot be pushed does work on the one that can.
         if (!pushA) drivers += normal * na + tangent * ta;
         if (!pushB) drivers -= normal * nb + tangent * tb;
-        impulse += Vec2(after.nx(), after.ny()) * normal + Vec2(-after.ny(), after.nx()) * tangent;
+        impulse += n * normal + perp(n) * tangent;
     }
     if (batch.hasRollingResistance) {
         const double roll = after.roll - before.roll;
@@ -255,10 +232,13 @@ void StepAudit::noteGiven(const Given& given) {
     for (std::size_t e = 0; e < maxEnds; ++e) {
         const BodyIndex body = given.body[e];
         const Vec3& at = given.at[e];
-        const double turn = at[2] * static_cast<double>(bodies_.turn[body].inverseGyration);
         const SolverVelocity& now = bodies_.velocity[body];
-        mean += 0.5 * (speedAlong(start_[body], at[0], at[1], turn) + speedAlong(now, at[0], at[1], turn));
-        if (now.inverseMass == 0) driven += speedAlong(now, at[0], at[1], turn);
+        const auto speedOf = [&](const SolverVelocity& v) {
+            return linearOf(v).dot(Vec2(at[0], at[1])) +
+                   at[2] * (static_cast<double>(v.w) * static_cast<double>(bodies_.turn[body].inverseGyration));
+        };
+        mean += 0.5 * (speedOf(start_[body]) + speedOf(now));
+        if (now.inverseMass == 0) driven += speedOf(now);
     }
     account_.note(&EnergyLedger::drivers, -given.all * driven);
     account_.note(&EnergyLedger::damping, given.damper * mean);
@@ -269,18 +249,17 @@ void StepAudit::noteGiven(const Given& given) {
 /// Is it the contact of a disc that slides along a chain? The solver does not move it, and noteSlide enters its
 /// changes.
 bool StepAudit::isAlongChain(const ContactBatch& batch, std::size_t lane) const {
-    return bodies_.isMovedBy(batch.bodyA[lane], MovedBy::Impacts) ||
-           bodies_.isMovedBy(batch.bodyB[lane], MovedBy::Impacts);
+    return bodies_.isMovedBy(batch.bodyA[lane], MovedBy::Chain) || bodies_.isMovedBy(batch.bodyB[lane], MovedBy::Chain);
 }
 
 /// Contacts, then joints, then fields: all with the same two velocities, before and after the half.
 void StepAudit::endHalf() {
-    forEachLane(view_.graph, [&](const ContactBatch& batch, const ManifoldLanes& manifolds, std::size_t lane) {
-        const Lane before = Lane::before(batch, lane, start_), after(batch, lane, bodies_.velocity);
-        const Lane unforced = Lane::before(batch, lane, unforced_);
-        if (isAlongChain(batch, lane)) return;
+    view_.graph.forEachLane([&](const ConstContactLane& at, ContactIndex) {
+        const Lane before = Lane::before(at.batch, at.lane, start_), after(at.batch, at.lane, bodies_.velocity);
+        const Lane unforced = Lane::before(at.batch, at.lane, unforced_);
+        if (isAlongChain(at.batch, at.lane)) return;
         noteContact(before, after,
-                    hits(static_cast<double>(manifolds.approachSpeed[lane])) || hits(unforced.approach()));
+                    hits(static_cast<double>(at.manifolds.approachSpeed[at.lane])) || hits(unforced.approach()));
     });
     for (const Given& given : given_) noteGiven(given);
     given_.clear();
@@ -298,19 +277,19 @@ bool StepAudit::hits(double approach) const {
 void StepAudit::beginBounces() {
     start_ = bodies_.velocity;
     totals_.clear();
-    forEachLane(view_.graph, [&](const ContactBatch& batch, const ManifoldLanes&, std::size_t lane) {
-        for (const PointLanes& point : batch.points) totals_.push_back(point.totalNormal[lane]);
+    view_.graph.forEachLane([&](const ConstContactLane& at, ContactIndex) {
+        for (const PointLanes& point : at.batch.points) totals_.push_back(point.totalNormal[at.lane]);
     });
 }
 
 /// The bounces' impulses are counted in the totals only.
 void StepAudit::endBounces() {
     std::size_t next = 0;
-    forEachLane(view_.graph, [&](const ContactBatch& batch, const ManifoldLanes&, std::size_t lane) {
-        Lane after = Lane::before(batch, lane, bodies_.velocity);
+    view_.graph.forEachLane([&](const ConstContactLane& at, ContactIndex) {
+        Lane after = Lane::before(at.batch, at.lane, bodies_.velocity);
         for (std::size_t p = 0; p < 2; ++p)
-            after.normal[p] = static_cast<double>(batch.points[p].totalNormal[lane] - totals_[next++]);
-        if (!isAlongChain(batch, lane)) noteContact(Lane::before(batch, lane, start_), after, true);
+            after.normal[p] = static_cast<double>(at.batch.points[p].totalNormal[at.lane] - totals_[next++]);
+        if (!isAlongChain(at.batch, at.lane)) noteContact(Lane::before(at.batch, at.lane, start_), after, true);
     });
 }
 

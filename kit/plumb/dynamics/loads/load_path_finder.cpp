@@ -75,9 +75,8 @@ bool LoadPathFinder::isStart(const Start& start) const {
     if (bodies_.links[start.heavy].actingJoints > 0 || bodies_.links[start.light].actingJoints > 0) return false;
     if (light >= restRatio * heavy) return true;
     const auto pull = [&](BodyIndex body) { return std::hypot(bodies_.place[body].pullX, bodies_.place[body].pullY); };
-    const ManifoldLanes& manifolds = graph_.colours[contact.colour].manifolds[contact.slot / batchLanes];
-    return manifolds.approachSpeed[contact.slot % batchLanes] >
-           hitSpeed * std::max(pull(start.heavy), pull(start.light));
+    const ContactLane at = graph_.laneOf(contact);
+    return at.manifolds.approachSpeed[at.lane] > hitSpeed * std::max(pull(start.heavy), pull(start.light));
 }
 
 /// Most worlds have no two bodies of such different masses that touch, and this must cost them little: one pass over
@@ -180,10 +179,8 @@ std::uint32_t LoadPathFinder::placeOf(ContactIndex contact) {
     const auto [at, isNew] = places_.emplace(contact, static_cast<std::uint32_t>(list_.contacts.size()));
     if (!isNew) return at->second;
     const ContactRecord& record = contacts_[contact];
-    const int colour = colourAt(record.colour);
-    ContactBatch& batch = graph_.colours[record.colour].batches[record.slot / batchLanes];
-    const bool isGround = colour >= fixedColour && colour != overflowColour;
-    list_.contacts.push_back({&batch, record.slot % batchLanes, isGround});
+    const ContactLane lane = graph_.laneOf(record);
+    list_.contacts.push_back({&lane.batch, lane.lane, isOfGround(record.colour)});
     pathOf_.push_back(none);
     return at->second;
 }
@@ -236,20 +233,17 @@ void LoadPathFinder::add(LoadPath& path, const LoadRow& row) const {
         if (bodies_.record[body].type == BodyType::Static) continue;
         auto effect = std::find_if(path.effects.begin(), path.effects.end(),
                                    [body](const LoadEffect& e) { return e.body == body; });
-        if (effect == path.effects.end()) effect = path.effects.insert(effect, LoadEffect{body});
+        if (effect == path.effects.end()) effect = path.effects.insert(effect, LoadEffect{{}, body});
         effect->add(row.share, effectOn(body, row));
     }
 }
 
-/// The direction of a row for one of its bodies, (n, arm): the spin's part is over the radius of gyration, as anchors
-/// are, so the three components have one unit, and one inverse mass serves all of them.
-LoadEffect LoadPathFinder::effectOn(BodyIndex body, const LoadRow& row) const {
+/// The direction of a row for one of its bodies.
+PointAxis LoadPathFinder::effectOn(BodyIndex body, const LoadRow& row) const {
     const LoadedContact& contact = list_.contacts[row.contact];
-    const ContactBatch& batch = *contact.batch;
-    const std::size_t lane = contact.lane;
-    const PointLanes& p = batch.points[row.point];
-    if (batch.bodyA[lane] == body) return {body, -batch.normalX[lane], -batch.normalY[lane], p.anchorTangentA[lane]};
-    return {body, batch.normalX[lane], batch.normalY[lane], -p.anchorTangentB[lane]};
+    const bool isB = contact.batch->bodyA[contact.lane] != body;
+    const PointAxis axis = normalAxis(*contact.batch, contact.lane, row.point, isB);
+    return isB ? axis : PointAxis{-axis.x, -axis.y, -axis.w};
 }
 
 /// A body nearly as heavy as the load stops it by its own mass; joints have a solution of their own.
@@ -274,7 +268,7 @@ void LoadPathFinder::findSupports(const LoadPath& path, BodyIndex body, const Lo
         seen_.push_back(contact.contact);
         for (LoadRow row = contact; row.point < 2; ++row.point) {
             if (!carriesLoad(list_.contacts[row.contact], row.point, hasPassed ? gap + nearBy : nearBy)) continue;
-            const LoadEffect effect = effectOn(body, row);
+            const PointAxis effect = effectOn(body, row);
             const float along = effect.x * load.x + effect.y * load.y;
             const bool isOpposed = hasPassed && along < 0;  // what loads the body from both sides holds nothing
             const bool holds = !hasPassed && along <= -least;

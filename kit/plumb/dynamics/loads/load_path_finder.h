@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/dynamics/contacts/contact_point.h>
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 
 namespace plumb {
@@ -33,12 +33,10 @@ struct LoadRow {
 
 /// How a unit of load changes the velocity of a body: the changes of x, y and w of SolverVelocity, times the body's
 /// mass.
-struct LoadEffect {
+struct LoadEffect : PointAxis {
     BodyIndex body = noBody;
-    float x = 0, y = 0, w = 0;
 
-    float dot(const LoadEffect& o) const { return x * o.x + y * o.y + w * o.w; }
-    void add(float share, const LoadEffect& o) {
+    void add(float share, const PointAxis& o) {
         x += share * o.x;
         y += share * o.y;
         w += share * o.w;
@@ -86,7 +84,7 @@ private:
     /// A point that may hold a body.
     struct Support {
         LoadRow row;
-        LoadEffect effect;
+        PointAxis effect;
         BodyIndex other;
     };
 
@@ -98,7 +96,7 @@ private:
     bool follow(LoadPath& path, const LoadRow& load);
     void passOn(LoadPath& path, BodyIndex body);
     void add(LoadPath& path, const LoadRow& row) const;
-    LoadEffect effectOn(BodyIndex body, const LoadRow& row) const;
+    PointAxis effectOn(BodyIndex body, const LoadRow& row) const;
     bool passesOn(const LoadPath& path, BodyIndex body) const;
     void findSupports(const LoadPath& path, BodyIndex body, const LoadEffect& load, bool isLever);
     bool carriesLoad(const LoadedContact& contact, std::uint32_t point, float gap) const;

@@ -28,8 +28,8 @@ float lesser(float a, float b) {
 }  // namespace
 
 LoadPaths::LoadPaths(ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies,
-                     const std::vector<BodyIndex>& solved, const ContactPass& pass, const ContactPass& groundPass)
-    : bodies_(bodies), pass_(pass), groundPass_(groundPass), finder_(list_, graph, contacts, bodies) {
+                     const std::vector<BodyIndex>& solved, const ContactPasses& passes)
+    : bodies_(bodies), passes_(passes), finder_(list_, graph, contacts, bodies) {
     finder_.findAll(solved);
     hidden_.resize(list_.contacts.size());
 }
@@ -107,7 +107,7 @@ bool LoadPaths::pass(const LoadGroup& group, bool isRelax, SolveContact&& solveC
 }
 
 const ContactPass& LoadPaths::passOf(const LoadedContact& contact) const {
-    return contact.isGround ? groundPass_ : pass_;
+    return passes_.of(contact.isGround);
 }
 
 /// The compliance of a contact's spring, times the contact's effective mass [-]. From massScale = 1 / (1 + c) and
@@ -152,7 +152,7 @@ LoadPaths::Change LoadPaths::changeToSolve(const LoadPath& path, float inverseMa
         const float s = p.separation[c.lane];
         least = std::max(least, -impulseAt(row, false) / row.share);
         if (s > 0) {
-            error += row.share * s * pass_.inverseStep;
+            error += row.share * s * passes_.loose.inverseStep;
             continue;
         }
         const ContactPass& pass = passOf(c);
@@ -169,7 +169,7 @@ LoadPaths::Change LoadPaths::changeToRelax(const LoadPath& path, float inverseMa
     float error = speedAlong(path), least = -std::numeric_limits<float>::infinity();
     for (const LoadRow& row : path.rows) {
         const LoadedContact& c = list_.contacts[row.contact];
-        error += row.share * std::max(c.batch->points[row.point].separation[c.lane], 0.0f) * pass_.inverseStep;
+        error += row.share * std::max(c.batch->points[row.point].separation[c.lane], 0.0f) * passes_.loose.inverseStep;
         least = std::max(least, -impulseAt(row, true) / row.share);
     }
     return {-error / inverseMass, least};

@@ -24,10 +24,10 @@ namespace plumb {
 
 class LoadPaths {
 public:
-    /// Finds the paths of this step. solved: the bodies that the solver moves. The passes are those of contacts of two
-    /// loose bodies, and of contacts with ground.
+    /// Finds the paths of this step. solved: the bodies that the solver moves.
+
     LoadPaths(ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies,
-              const std::vector<BodyIndex>& solved, const ContactPass& pass, const ContactPass& groundPass);
+              const std::vector<BodyIndex>& solved, const ContactPasses& passes);
 
     /// Before ContactSolver::solve or relax: hides the contacts from it.
     void begin();
@@ -66,7 +66,7 @@ private:
     void push(const LoadPath& path, float load, bool isRelax);
 
     BodyStore& bodies_;
-    ContactPass pass_, groundPass_;
+    ContactPasses passes_;
     LoadPathList list_;
     LoadPathFinder finder_;
     std::vector<Hidden> hidden_;  ///< parallel to the list's contacts

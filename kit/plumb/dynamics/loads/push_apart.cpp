@@ -129,10 +129,11 @@ private:
         const ContactRecord& contact = contacts_[index];
         const auto overlap = std::lower_bound(overlaps_.begin(), overlaps_.end(), DeepContact{index, {0, 0}}, before);
         const bool overlapsDeeply = overlap != overlaps_.end() && overlap->contact == index;
-        const std::size_t lane = count_++ % batchLanes, slot = contact.slot;
+        const std::size_t lane = count_++ % batchLanes;
         if (lane == 0) batches_.emplace_back();
         ContactBatch& batch = batches_.back();
-        copyLane(batch, lane, graph_.colours[contact.colour].batches[slot / batchLanes], slot % batchLanes, batchRows);
+        const ConstContactLane from = graph_.laneOf(contact);
+        copyLane(batch, lane, from.batch, from.lane, batchRows);
         batch.friction[lane] = 0;
         for (std::size_t point = 0; point < 2; ++point) {
             PointLanes& p = batch.points[point];

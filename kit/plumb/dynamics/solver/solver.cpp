@@ -9,8 +9,6 @@
 #include <plumb/dynamics/bodies/load_bodies.h>
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
-#include <plumb/dynamics/fields/field_phases.h>
-#include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/loads/load_paths.h>
 #include <plumb/dynamics/meetings/wall_impact.h>
 #include <plumb/dynamics/walls/wall_limits.h>
@@ -21,23 +19,15 @@ namespace plumb {
 
 namespace {
 
-/// The constants of a pass over the contacts: for those of two bodies that move, and for those with a fixed one.
-struct Pass {
-    ContactPass contacts, groundContacts;
-};
-
 /// A contact's spring may have a quarter of the rate of the sub-steps of h [s]: a stiffer one overshoots. Contacts with
 /// fixed bodies get twice the frequency, because the ground does not move. Test: "a box rests as deep at 240 steps a
 /// second as at 60, and four times as deep at 30"
-Pass passOf(const SolverSettings& settings, double h) {
-    Pass pass;
-    const auto contactPass = [&](double frequency) -> ContactPass {
+ContactPasses passesOf(const SolverSettings& settings, double h) {
+    const auto passOf = [&](double frequency) -> ContactPass {
         return {static_cast<float>(1 / h), softness(std::min(frequency, 0.25 / h), settings.contactDampingRatio, h),
                 static_cast<float>(settings.contactPushSpeed)};
     };
-    pass.contacts = contactPass(settings.contactFrequency);
-    pass.groundContacts = contactPass(2 * settings.contactFrequency);
-    return pass;
+    return {passOf(settings.contactFrequency), passOf(2 * settings.contactFrequency)};
 }
 
 /// May the body meet something, and is it so fast that it could pass it? Such a body takes part in the sub-steps only
@@ -50,20 +40,19 @@ bool mayPass(const BodyStore& bodies, BodyIndex body) {
     return bodies.links[body].firstContact != none || bodies.wrap.isExceededBy(shift);
 }
 
+/// To a multiple of the lanes, with slot 0, which never moves.
 void fillUp(std::vector<BodyIndex>& bodies) {
     while (bodies.size() % batchLanes != 0) bodies.push_back(noBody);
 }
 
 /// The bodies that are solved: dynamic bodies with a constraint, or so fast that they could pass a wall that no contact
 /// predicts, and kinematic bodies, whose motion their contacts need. All others only fly, and moveFreeBodies places
-/// them exactly. Filled up to a multiple of the lanes with slot 0, which never moves. O(awake bodies).
+/// them exactly. O(awake bodies).
 std::vector<BodyIndex> solvedBodies(const BodyStore& bodies) {
     std::vector<BodyIndex> solved;
-    solved.reserve(bodies.awake.size() + batchLanes);
     for (const BodyIndex body : bodies.awake)
         if (bodies.isConstrained(body) || bodies.record[body].type == BodyType::Kinematic || mayPass(bodies, body))
             solved.push_back(body);
-    fillUp(solved);
     return solved;
 }
 
@@ -99,31 +88,31 @@ public:
         : stores_(stores),
           bodies_(stores.bodies),
           observer_(stores.observer),
-          joints_(stores.jointPhases),
+          joints_(stores.jointSolver),
+          fields_(*stores.fields.solver),
           h_(dt / stores.settings.subSteps),
           bodySolver_(bodySolver(stores.settings.lanes)),
           solverBodies_(bodies_.solverBodies()),
           solved_(solvedBodies(bodies_)),
-          moving_(static_cast<std::size_t>(std::find(solved_.begin(), solved_.end(), noBody) - solved_.begin())),
-          outOfLanes_(moving_),
-          pass_(passOf(stores.settings, h_)),
-          fields_(stores.fields, bodies_, stores.space, h_, observer_),
-          jointed_{stores.graph, stores.contacts, pass_.contacts, pass_.groundContacts},
-          walls_({bodies_, stores.contacts, stores.space, stores.jointPhases, stores.joints}, h_),
-          fast_(solved_.size()) {
+          passes_(passesOf(stores.settings, h_)),
+          walls_({bodies_, stores.contacts, stores.space, joints_}, h_),
+          fast_(solved_.size() + batchLanes) {
         cutSlices();
     }
 
-    /// All sub-steps, and what has to be done once before and after them. Joints are prepared even if nothing is
-    /// solved: loads of joints that no longer hold anything are cleared there.
+    /// All sub-steps, and what has to be done once before and after them. Joints begin even if nothing is solved: loads
+    /// of joints that no longer hold anything are cleared there.
     void run(double dt) {
-        if (joints_ != nullptr) joints_->prepare(stores_.joints, dt);
-        if (solved_.empty()) return;
-        if (joints_ != nullptr)
-            bounces_ = joints_->takeBounces(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
-        // Only now, when each island knows its bodies: which of them are solved in lanes, and which meet nothing.
-        if (joints_ != nullptr) loadJoints(dt);
-        if (joints_ != nullptr) stepFlying();
+        outOfLanes_ = joints_.begin(
+            {&stores_.graph, &stores_.contacts, &bodies_, &stores_.joints, stores_.settings, observer_, passes_, h_},
+            solved_);
+        if (solved_.empty() && joints_.islands().empty()) return;
+        fillUp(solved_);
+        fields_.begin(stores_.fields, bodies_, stores_.space, h_, observer_);
+        joints_.fly([this](std::vector<BodyIndex>& bodies, int subStep) {
+            fillUp(bodies);
+            move(bodies, subStep);
+        });
         if (observer_ != nullptr) observer_->beginSolver();
         forEachSlice([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
                             const ContactPass&) { solver.gatherWarmStart(batches, contacts, solverBodies_); });
@@ -141,110 +130,53 @@ public:
     const std::vector<WallImpact>& wallImpacts() const { return impacts_; }
 
 private:
-    /// Finds out how each jointed body is solved, and sorts solved_ by that: first bodies of swept islands and without
-    /// joints, which the passes over records kick; from outOfLanes_ on those that batches of islands kick in doubles.
-    /// Those of flying islands go out of the list. No island may fly while the ledger watches, which has to see all
-    /// velocities before and after each half, nor while fields act, which read the records of bodies.
-    void loadJoints(double dt) {
-        joints_->load(stores_.joints, dt, observer_ == nullptr && bodies_.flights.empty());
-        if (stores_.joints.islands.islands.empty()) return;
-        enum Place : std::uint8_t { OutOfLanes, InLanes, Flying };
-        std::vector<Place> places(bodies_.record.size(), OutOfLanes);
-        for (const JointIsland& island : stores_.joints.islands.islands)
-            for (const BodyIndex body : island.bodies) places[body] = island.isSwept() ? OutOfLanes : InLanes;
-        for (const JointBatch& batch : flyingBatchesOf(stores_.joints))
-            for (const JointIsland* island : batch.islands())
-                for (const BodyIndex body : island->bodies) places[body] = Flying;
-        solved_.resize(moving_);
-        std::erase_if(solved_, [&](BodyIndex body) { return places[body] == Flying; });
-        const auto lanes = std::stable_partition(solved_.begin(), solved_.end(),
-                                                 [&](BodyIndex body) { return places[body] == OutOfLanes; });
-        moving_ = solved_.size();
-        outOfLanes_ = static_cast<std::size_t>(lanes - solved_.begin());
-        fillUp(solved_);
-        joints_->findJointedContacts(stores_.joints, jointed_);
-    }
-
-    /// What meets no contact goes through the whole step at once, batch by batch, so that its numbers stay in the
-    /// cache: a batch of eight dolls has 180 KB. A rain of dolls took 0.6 to 0.67 times as long as with all batches in
-    /// each half.
-    void stepFlying() {
-        for (JointBatch& batch : flyingBatchesOf(stores_.joints)) {
-            std::vector<BodyIndex> flying;
-            for (const JointIsland* island : batch.islands())
-                flying.insert(flying.end(), island->bodies.begin(), island->bodies.end());
-            fillUp(flying);
-            for (int i = 0; i < stores_.settings.subSteps; ++i) {
-                joints_->fly(stores_.joints, batch, {h_, true, i == 0});
-                move(flying, {&batch, 1}, i);
-                joints_->fly(stores_.joints, batch, {h_, false, false});
-            }
-        }
-    }
-
     /// The sub-step: kick, solve, drift, kick, relax. Forces act in two halves around the move, as in velocity Verlet,
     /// so motion under a steady force is exact to second order in h. The first half solves with the position errors,
     /// because its velocities are those of the move: what is too near is pushed apart, and what would meet comes just
     /// to the touch. The second half solves without them, so that the push adds no speed to what the next sub-step
     /// begins with. Without it, a box that was pushed out of overlap would go on rising.
     void subStep(int number) {
+        halfStep(&ContactSolver::solve, {true, number == 0});
+        move(solved_, number);
+        halfStep(&ContactSolver::relax, {false, false});
+    }
+
+    /// One half, in the order of the velocities that each part needs: forces and the warm start first; then fields,
+    /// some of which depend on velocities; then joints, which are solved directly from the free velocities of their
+    /// island; then contacts, which see jointed bodies with the masses of their islands; and last the response of
+    /// joints to what contacts have changed. Batches of islands kick their own bodies, in doubles.
+    void halfStep(ContactWork work, const HalfStep& half) {
+        if (observer_ != nullptr) observer_->beginHalf(solved_);
         // In the step's first half, contacts have changed nothing yet that the warm start would have to take in.
-        const JointHalf before{h_, true, number == 0}, after{h_, false, false};
-        startHalf(before);
-        solveContacts(&ContactSolver::solve, before);
-        if (observer_ != nullptr) observer_->endHalf();
-        // These velocities keep contacts and joints, up to the errors that one pass leaves. What crosses a wall on its
-        // path is put back to it.
-        move(solved_, batchesOf(stores_.joints), number);
-        // Fields pull where the bodies are now: the pulls of the first half do not hold any more.
-        fields_.moved();
-        startHalf(after);
-        solveContacts(&ContactSolver::relax, after);
+        kickBodies(solved_.data(), outOfLanes_, solverBodies_, half.isFirst);
+        fields_.kick(solved_);
+        joints_.solve(half);
+        solveContacts(work, half);
+        joints_.respondToContacts(half);
         if (observer_ != nullptr) observer_->endHalf();
     }
 
-    /// Moves bodies by a sub-step, then looks for walls that the fast ones have crossed. Batches move their own bodies
-    /// in doubles; walls come last, because they need the places of all bodies of a machine. batches: those of jointed
-    /// bodies among them. number: of the sub-step.
-    void move(const std::vector<BodyIndex>& bodies, std::span<JointBatch> batches, int number) {
+    /// Moves bodies by a sub-step: batches of islands move their own bodies in doubles. What crosses a wall on its path
+    /// is put back to it; that comes last, because it needs the places of all bodies of a machine. number: of the
+    /// sub-step.
+    void move(const std::vector<BodyIndex>& bodies, int number) {
         const float h = static_cast<float>(h_);
         const std::size_t fast = bodySolver_.move(bodies.data(), bodies.size(), solverBodies_, h, fast_.data());
-        if (joints_ != nullptr) joints_->move(stores_.joints, batches, h_);
+        joints_.move();
         if (stores_.hasWalls) walls_.afterMove({fast_.data(), fast}, number * h_);
+        fields_.moved();
     }
 
-    /// Everything of a half before contacts are solved. The order is that of the velocities that each part needs:
-    /// forces and the warm start first; then fields, some of which depend on velocities; then joints, which are solved
-    /// directly from the free velocities of their island; then bounces of jointed bodies, from velocities with which
-    /// joints hold; and last the masses with which contacts see jointed bodies. What forces and joints have changed is
-    /// marked as the new reference: else the next half would take it for impulses of contacts, and apply it once more
-    /// (see solver_body.h).
-    void startHalf(const JointHalf& half) {
-        if (observer_ != nullptr) observer_->beginHalf(solved_);
-        // Batches of islands kick their own bodies, in doubles.
-        kickBodies(solved_.data(), outOfLanes_, solverBodies_, half.isFirst);
-        const bool inFields = !bodies_.flights.empty();
-        // Fields read and write the records of bodies, so batches write their free velocities there first.
-        if (inFields && joints_ != nullptr) joints_->kick(stores_.joints, half);
-        if (inFields) (fields_.*stores_.fields.phases->kick)(solved_);
-        if (joints_ == nullptr || stores_.joints.islands.joints.empty()) return;
-        joints_->solve(stores_.joints, half, inFields);
-        joints_->bounce(stores_.joints, stores_.graph, stores_.contacts, bounces_, half.step);
-        joints_->startContacts(stores_.joints, half, jointed_);
-        markBodies(solved_.data(), moving_, solverBodies_);
-    }
-
-    /// One pass over all contacts, in the order of their colours, then the contacts of light bodies under heavy ones,
-    /// then the response of joints to the contacts' impulses. The contacts of load paths are hidden from the lanes
-    /// meanwhile: solved twice, with two different springs, they would work against each other.
-    void solveContacts(ContactWork work, const JointHalf& half) {
+    /// One pass over all contacts, in the order of their colours, then the contacts of light bodies under heavy ones.
+    /// The contacts of load paths are hidden from the lanes meanwhile: solved twice, with two different springs, they
+    /// would work against each other.
+    void solveContacts(ContactWork work, const HalfStep& half) {
         if (!loads_)  // not before the first half: jointed bodies have the masses of their islands only now
-            loads_.emplace(stores_.graph, stores_.contacts, bodies_, solved_, pass_.contacts, pass_.groundContacts);
+            loads_.emplace(stores_.graph, stores_.contacts, bodies_, solved_, passes_);
         loads_->begin();
         forEachSlice([&](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
                          const ContactPass& pass) { (solver.*work)(batches, contacts, solverBodies_, pass); });
         half.correct ? loads_->solve() : loads_->relax();
-        if (joints_ != nullptr) joints_->respondToContacts(stores_.joints, half, jointed_);
     }
 
     /// Restitution, at the step's end: only points that have pushed in this step part, at the speed that their approach
@@ -273,11 +205,9 @@ private:
         for (std::size_t index = 0; index < colours.size(); ++index) {
             const std::size_t contacts = colours[index].contactOf.size(), rest = contacts % batchLanes;
             if (contacts == 0) continue;
-            const int colour = colourAt(index);
-            const bool ground = colour >= fixedColour && colour != overflowColour;
-            const ContactPass& pass = ground ? pass_.groundContacts : pass_.contacts;
+            const ContactPass& pass = passes_.of(isOfGround(index));
             ContactBatch* batches = colours[index].batches.data();
-            const int most = colour == overflowColour ? 1 : stores_.settings.lanes;
+            const int most = colourAt(index) == overflowColour ? 1 : stores_.settings.lanes;
             if (contacts > rest) slices_.push_back({&contactSolver(most), batches, contacts - rest, &pass});
             if (rest == 0) continue;
             slices_.push_back({&contactSolver(lanesFor(rest, most)), batches + contacts / batchLanes, rest, &pass});
@@ -290,8 +220,7 @@ private:
         for (const Slice& s : slices_) solve(*s.solver, s.batches, s.contacts, *s.pass);
     }
 
-    /// For each body, by its slot: 1 if a contact, a wall or a swept joint gave it an impulse, else 0. Bodies of
-    /// islands in lanes have 0, because their batches store them. O(contacts + bodies).
+    /// For each body, by its slot: 1 if a contact or a wall gave it an impulse, else 0. O(contacts + bodies).
     std::vector<std::uint8_t> pushedBodies() const {
         std::vector<std::uint8_t> pushed(bodies_.record.size(), 0);
         for (const Slice& slice : slices_) {
@@ -302,9 +231,6 @@ private:
             }
         }
         for (const WallImpact& impact : impacts_) pushed[stores_.space[impact.hit.own].owner] = 1;
-        if (joints_ == nullptr) return pushed;
-        for (const JointIsland& island : stores_.joints.islands.islands)
-            for (const BodyIndex body : island.bodies) pushed[body] = island.isSwept() ? 1 : 0;
         return pushed;
     }
 
@@ -315,13 +241,11 @@ private:
     void storeBodies() {
         impacts_ = walls_.impacts();
         const std::vector<std::uint8_t> pushed = pushedBodies();
-        for (const BodyIndex body : solved_) {
-            if (pushed[body] != 0 && bodies_.velocity[body].inverseMass > 0) storeBody(body, moveOf(body));
+        for (const BodyIndex body : std::span(solved_).first(outOfLanes_)) {
+            const bool isSolved = pushed[body] != 0 || bodies_.links[body].actingJoints > 0;
+            if (isSolved && bodies_.velocity[body].inverseMass > 0) storeBody(body, moveOf(body));
         }
-        if (joints_ == nullptr) return;
-        std::vector<std::pair<BodyIndex, BodyMove>> moves;
-        joints_->store(stores_.joints, moves);
-        for (const auto& [body, move] : moves) storeBody(body, move);
+        joints_.end([this](BodyIndex body, const BodyMove& move) { storeBody(body, move); });
     }
 
     /// Of a body that is not in lanes; spin = w / k, as velocities are stored with w = omega k (see SolverVelocity).
@@ -338,7 +262,7 @@ private:
     /// the closed form's. Contacts have seen a jointed body with the mass of its island; from here on its own mass
     /// counts again.
     void storeBody(BodyIndex body, const BodyMove& move) {
-        if (bodies_.isMovedBy(body, MovedBy::Impacts)) return;
+        if (!bodies_.isMovedBy(body, MovedBy::ClosedForm)) return;
         bodies_.step[body].movedBy = MovedBy::Solver;
         BodyMotion motion = bodies_.motion[body];
         motion.center += move.shift;
@@ -357,19 +281,15 @@ private:
     const SolverStores& stores_;
     BodyStore& bodies_;
     StepObserver* observer_;
-    const JointPhases* joints_;
+    JointSolver& joints_;
+    FieldSolver& fields_;
     double h_;  ///< of the sub-step [s]
     const BodySolver& bodySolver_;
     SolverBodies solverBodies_;
     std::vector<BodyIndex> solved_;
-    std::size_t
-        moving_;  ///< number of those before the padding, whose records all are one: each would wait for the last
-    std::size_t outOfLanes_;  ///< number of those before the bodies in lanes of islands
-    Pass pass_;
+    std::size_t outOfLanes_ = 0;  ///< number of those before the bodies in lanes of islands, and the padding
+    ContactPasses passes_;
     std::vector<Slice> slices_;
-    FieldSolving fields_;
-    std::vector<BounceGroup> bounces_;  ///< of jointed bodies
-    JointedContacts jointed_;
     std::optional<LoadPaths> loads_;
     WallStops walls_;
     std::vector<FastBody> fast_;

@@ -10,8 +10,7 @@
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/dynamics/fields/field_store.h>
-#include <plumb/dynamics/jointed/joint_phases.h>
-#include <plumb/dynamics/joints/joint_islands.h>
+#include <plumb/dynamics/jointed/joint_solver.h>
 
 namespace plumb {
 
@@ -22,8 +21,8 @@ struct SolverStores {
     BodyStore& bodies;
     FieldStore& fields;
     const Space& space;
-    const JointPhases* jointPhases = nullptr;  ///< null if the world has no joints
-    JointStores joints;
+    JointStore& joints;
+    JointSolver& jointSolver;
     const SolverSettings& settings;
     StepObserver* observer = nullptr;  ///< may be null
     bool hasWalls = true;              ///< there are shapes of static or kinematic bodies

@@ -7,7 +7,7 @@
 
 #include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/contacts/bounds.h>
-#include <plumb/dynamics/joints/joint_islands.h>
+#include <plumb/dynamics/jointed/joint_solver.h>
 #include <plumb/dynamics/ledger/account.h>
 #include <plumb/dynamics/sensors/sensors.h>
 #include <plumb/dynamics/state/tile_store.h>
@@ -16,8 +16,6 @@
 #include <plumb/dynamics/world_def.h>
 
 namespace plumb {
-
-struct JointEdits;
 
 struct WorldState {
     bool sleeping = true;
@@ -31,15 +29,12 @@ struct WorldState {
     ContactStore contacts;
     ContactGraph graph;
     JointStore joints;
-    JointIslands jointIslands;
+    Owned<JointSolver> jointSolver;
     FieldStore fields;
     SensorStore sensors;
     TileStore tiles;
     Trajectories trajectories;             ///< of the last step
     std::map<BodyIndex, Mass> parkedMass;  ///< masses given to bodies that are not dynamic now
-
-    const JointPhases* jointPhases = nullptr;  ///< null before the first joint
-    const JointEdits* jointEdits = nullptr;    ///< null before the first joint
 
     WorldEvents events;
     StaleBounds staleBounds;

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <plumb/dynamics/bodies/body_solver.h>
-#include <plumb/dynamics/joints/joint_response.h>
+#include <plumb/dynamics/bodies/solver_velocity.h>
 
 namespace plumb {
 
@@ -51,38 +51,6 @@ double turnBy(const BodyStore& bodies, BodyIndex body, const SolverVelocity& v, 
 
 }  // namespace
 
-/// A body of a group at the place of its hit.
-class WallStops::Pushed : public PushedBody {
-public:
-    Pushed(WallStops& stops, const Group& group, const Hit& hit)
-        : stops_(stops), group_(group), body_(hit.body), place_(hit.place) {}
-    BodyMotion motion() const override {
-        BodyMotion motion = place_;
-        const SolverVelocity& v = stops_.bodies_.velocity[body_];
-        motion.velocity = shiftOf(v, 1);
-        motion.angularVelocity = turnBy(stops_.bodies_, body_, v, 1);
-        return motion;
-    }
-    Vec3 responseTo(const Vec3& impulse) override {
-        if (group_.island == nullptr) return velocityChangeBy(stops_.bodies_, body_, impulse);
-        const WallStopStores& stores = stops_.stores_;
-        return stores.jointPhases->responseOf(stores.joints, *group_.island, body_, impulse);
-    }
-    void push(const Vec3& impulse) override {
-        const WallStopStores& stores = stops_.stores_;
-        if (group_.island != nullptr) return stores.jointPhases->push(stores.joints, *group_.island, body_, impulse);
-        Vec3 velocity = velocityOf(stops_.bodies_, body_);
-        plumb::add(velocity, velocityChangeBy(stops_.bodies_, body_, impulse));
-        setVelocity(stops_.bodies_, body_, velocity);
-    }
-
-private:
-    WallStops& stops_;
-    const Group& group_;
-    BodyIndex body_;
-    BodyMotion place_;
-};
-
 WallStops::WallStops(const WallStopStores& stores, double h)
     : stores_(stores), bodies_(stores.bodies), view_{stores.bodies, stores.contacts, stores.space}, h_(h) {}
 
@@ -105,18 +73,6 @@ WallStops::Mover WallStops::moverOf(BodyIndex body) const {
             start.angle + static_cast<double>(bodies_.turn[body].angle) - turnBy(bodies_, body, v, h_)};
 }
 
-JointIsland* WallStops::islandOf(BodyIndex body) {
-    if (stores_.jointPhases == nullptr) return nullptr;
-    std::vector<JointIsland>& islands = stores_.joints.islands.islands;
-    if (islandOf_.empty()) {
-        islandOf_.assign(bodies_.record.size(), none);
-        for (std::uint32_t i = 0; i < islands.size(); ++i)
-            for (const BodyIndex member : islands[i].bodies) islandOf_[member] = i;
-    }
-    const std::uint32_t island = islandOf_[body];
-    return island != none && !islands[island].isSwept() ? &islands[island] : nullptr;
-}
-
 /// Islands that meet no contact go through the whole step before all others, so impacts are not found in the order of
 /// time.
 std::vector<WallImpact> WallStops::impacts() const {
@@ -134,8 +90,8 @@ std::vector<WallImpact> WallStops::impacts() const {
 /// sub-step, and groupOf_ is cleared by the list of those added, not whole.
 void WallStops::add(const Mover& mover) {
     if (groupOf_.empty()) groupOf_.assign(bodies_.record.size(), none);
-    if (bodies_.isMovedBy(mover.body, MovedBy::Impacts) || bodies_.record[mover.body].quarantined) return;
-    JointIsland* island = islandOf(mover.body);
+    if (!bodies_.isMovedBy(mover.body, MovedBy::ClosedForm) || bodies_.record[mover.body].quarantined) return;
+    JointIsland* island = stores_.joints.islandOf(mover.body);
     if (island == nullptr) {
         if (groupOf_[mover.body] == none) added_.push_back(mover.body);
         groupOf_[mover.body] = 0;
@@ -160,7 +116,7 @@ void WallStops::add(const Mover& mover) {
 void WallStops::afterMove(std::span<const FastBody> fast, double start) {
     start_ = start;
     for (const FastBody& f : fast) {
-        JointIsland* island = islandOf(f.body);
+        JointIsland* island = stores_.joints.islandOf(f.body);
         if (island != nullptr && isClear(*island)) continue;
         if (bodies_.kinematic.empty() && !hasMovedFar(f.body)) continue;
         const BodyMotion& from = bodies_.motion[f.body];
@@ -208,7 +164,7 @@ void WallStops::travel(Group& group) {
 /// Can the island stay where it has moved, because it is far from walls and its joints hold? Asked once for each island
 /// in a sub-step, however many of its bodies are fast.
 bool WallStops::isClear(JointIsland& island) {
-    std::vector<JointIsland>& islands = stores_.joints.islands.islands;
+    const std::span<JointIsland> islands = stores_.joints.islands();
     if (checks_.empty()) checks_.assign(islands.size(), Check::Unknown);
     if (noWalls_.empty()) noWalls_.assign(islands.size(), emptyBox());
     const auto number = static_cast<std::size_t>(&island - islands.data());
@@ -268,7 +224,7 @@ double WallStops::turnOf(const JointIsland& island) const {
 
 /// Have joints opened since the step began?
 bool WallStops::opens(const JointIsland& island) const {
-    return stores_.jointPhases->opening(island) > opensFar;
+    return stores_.joints.openingOf(island) > opensFar;
 }
 
 /// How long a piece of the rest of a sub-step may be [s].
@@ -310,41 +266,22 @@ void WallStops::search(const Mover& mover, const StepPart& part, Hit& first) con
 }
 
 void WallStops::solve(Group& group, const Hit& hit, double duration) {
-    const std::vector<SolverVelocity> before = velocitiesOf(group);
-    Pushed pushed(*this, group, hit);
-    const WallImpact impact = solveWallImpact(view_, hit.at, duration, pushed);
+    SolvedBodies both(bodies_, stores_.joints, view_.space[hit.at.wall].owner, hit.body);
+    const WallImpact impact = solveWallImpact(view_, hit.at, wallMotionAt(hit.at, duration), hit.place, both);
     if (impact.normalImpulse == 0) return;
-    const std::vector<JointIsland>& islands = stores_.joints.islands.islands;
+    const JointIsland* first = stores_.joints.islands().data();
     impacts_.push_back(
-        {start_, group.island == nullptr ? 0 : static_cast<std::uint32_t>(group.island - islands.data() + 1), impact});
-    markChange(group, before);
+        {start_, group.island == nullptr ? 0 : static_cast<std::uint32_t>(group.island - first + 1), impact});
 }
 
 /// Changes the velocities so that the joints hold after a time. At very high speeds that may add energy: then the
 /// velocities stay as they are, and the joints open rather than that the machine speeds up.
 void WallStops::hold(const Group& group, double time) {
-    const std::vector<SolverVelocity> before = velocitiesOf(group);
-    stores_.jointPhases->hold(stores_.joints, *group.island, time);
+    before_.clear();
+    for (const Mover& mover : group.movers) before_.push_back(velocityOf(bodies_, mover.body));
+    stores_.joints.closeGaps(*group.island, time);
     if (energyOf(group) > mostGained * group.energy)
-        for (std::size_t m = 0; m < group.movers.size(); ++m) bodies_.velocity[group.movers[m].body] = before[m];
-    markChange(group, before);
-}
-
-std::vector<SolverVelocity> WallStops::velocitiesOf(const Group& group) const {
-    std::vector<SolverVelocity> velocities;
-    for (const Mover& mover : group.movers) velocities.push_back(bodies_.velocity[mover.body]);
-    return velocities;
-}
-
-/// So that no contact takes a change of velocity for its own impulse.
-void WallStops::markChange(const Group& group, const std::vector<SolverVelocity>& before) {
-    for (std::size_t m = 0; m < group.movers.size(); ++m) {
-        const SolverVelocity& now = bodies_.velocity[group.movers[m].body];
-        SolverVelocity& mark = bodies_.before[group.movers[m].body];
-        mark.x += now.x - before[m].x;
-        mark.y += now.y - before[m].y;
-        mark.w += now.w - before[m].w;
-    }
+        for (std::size_t m = 0; m < group.movers.size(); ++m) setVelocity(bodies_, group.movers[m].body, before_[m]);
 }
 
 /// Kinetic energy [J].

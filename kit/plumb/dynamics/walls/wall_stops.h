@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <plumb/dynamics/bodies/body_solver.h>
-#include <plumb/dynamics/jointed/joint_phases.h>
+#include <plumb/dynamics/jointed/joint_solver.h>
 #include <plumb/dynamics/meetings/wall_impact.h>
 
 namespace plumb {
@@ -24,8 +24,7 @@ struct WallStopStores {
     BodyStore& bodies;
     const ContactStore& contacts;
     const Space& space;
-    const JointPhases* jointPhases = nullptr;  ///< null if the world has no joints
-    const JointStores& joints;
+    JointSolver& joints;
 };
 
 class WallStops {
@@ -57,12 +56,10 @@ private:
         BodyMotion place;  ///< of the body, without its velocity
         WallHit at;
     };
-    class Pushed;
 
     bool hasMovedFar(BodyIndex body) const;
     Mover moverOf(BodyIndex body) const;
     void add(const Mover& mover);
-    JointIsland* islandOf(BodyIndex body);
     void travel(Group& group);
     bool isClear(JointIsland& island);
     bool isNearWalls(const JointIsland& island, Aabb& noWalls) const;
@@ -76,8 +73,6 @@ private:
     void search(const Mover& mover, const StepPart& part, Hit& first) const;
     void solve(Group& group, const Hit& hit, double duration);
     void hold(const Group& group, double time);
-    std::vector<SolverVelocity> velocitiesOf(const Group& group) const;
-    void markChange(const Group& group, const std::vector<SolverVelocity>& before);
     double energyOf(const Group& group) const;
     void moveAll(const Group& group, double time);
     void moveOn(const Mover& mover, double time);
@@ -87,7 +82,6 @@ private:
     BodyStore& bodies_;
     WallView view_;
     double h_, start_ = 0;
-    std::vector<std::uint32_t> islandOf_;  ///< of each body, none if it is alone; empty until it is needed
     enum class Check : std::uint8_t { Unknown, Clear, Needed };
     std::vector<Check> checks_;           ///< of each island, in this sub-step
     std::vector<Aabb> noWalls_;           ///< of each island, in this step: a box that no wall reaches into
@@ -101,6 +95,7 @@ private:
         WallImpact impact;
     };
     std::vector<Impact> impacts_;  ///< as they were found
+    std::vector<Vec3> before_;     ///< velocities of a group
 };
 
 }  // namespace plumb

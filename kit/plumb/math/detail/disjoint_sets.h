@@ -14,7 +14,10 @@ namespace plumb {
 /// Sets of the numbers from 0 on; each set is named by its lowest number.
 class DisjointSets {
 public:
-    explicit DisjointSets(std::size_t count) : parent_(count) {
+    explicit DisjointSets(std::size_t count) { reset(count); }
+    /// Begins anew: none are connected.
+    void reset(std::size_t count) {
+        parent_.resize(count);
         std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
     }
     std::uint32_t of(std::uint32_t each) {

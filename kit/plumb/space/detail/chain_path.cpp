@@ -6,6 +6,7 @@
 #include <limits>
 #include <variant>
 
+#include <plumb/impact/detail/bounces.h>
 #include <plumb/math/trig.h>
 
 namespace plumb {
@@ -182,7 +183,7 @@ private:
         view_ = viewOf(chain_, place_.edge);
         noteCurve();
         if (turn.sine > 0) {
-            if (law_.restitution * speed * turn.sine > law_.restingSpeed) return false;
+            if (bounces(law_.restitution, speed * turn.sine, law_.restingSpeed)) return false;
             if (law_.inertia * share_ * turn.sine > law_.friction * (1 + turn.cosine)) return false;
             place_.speed *= (law_.inertia + turn.cosine) * share_;
             return true;

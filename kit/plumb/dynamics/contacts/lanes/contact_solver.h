@@ -22,6 +22,12 @@ struct ContactPass {
     float pushSpeed = 0;  ///< the highest speed at which overlap is pushed out [m/s]
 };
 
+/// One for contacts of two bodies that move, one for those with a fixed one.
+struct ContactPasses {
+    ContactPass loose, ground;
+    const ContactPass& of(bool isGround) const { return isGround ? ground : loose; }
+};
+
 /// Four functions for the first `contacts` lanes of consecutive batches, with results that are equal to the last bit
 /// for each number of lanes.
 struct ContactSolver {

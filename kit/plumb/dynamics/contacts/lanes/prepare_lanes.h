@@ -5,9 +5,9 @@
 #include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/collide/lanes/relative_lanes.h>
 #include <plumb/dynamics/bodies/solver_body.h>
-#include <plumb/dynamics/contacts/bounces.h>
 #include <plumb/dynamics/contacts/lanes/lane_collider.h>
 #include <plumb/dynamics/contacts/lanes/resting_arms.h>
+#include <plumb/impact/detail/bounces.h>
 
 namespace plumb {
 
@@ -155,8 +155,8 @@ struct LanePreparer {
     static M isClear(const Sides& s, F opening, F separation, F restitution, float inverseStep) {
         const F fall = larger(s.press * separation * inverseStep, F{});
         const F squared = opening * opening + 2 * fall;
-        const F bounces = sumOfBounces(restitution);
-        const M high = 4 * bounces * bounces * squared >= s.press * larger(s.press, F{});
+        const F sum = sumOfBounces(restitution);
+        const M high = 4 * sum * sum * squared >= s.press * larger(s.press, F{});
         const M parts = opening >= F{};
         const M overlaps = separation < all(-deep);
         const M pushed = overlaps ? parts : M{};
@@ -174,7 +174,7 @@ struct LanePreparer {
         const F start = hits ? larger(separation, all(1e-9f)) : separation;
         // What parts more slowly than its acceleration in half a step is no bounce: else what rests would never lie
         // still.
-        const F target = parting > s.resting ? parting : F{};
+        const F target = bounces(restitution, -opening, s.resting) ? parting : F{};
         storeLanes(p.normalMass + lane, present ? 1.0f / arms.normalInverse(ma, mb) : F{});
         storeLanes(p.tangentMass + lane, present ? 1.0f / arms.tangentInverse(ma, mb) : F{});
         storeLanes(p.startSeparation + lane, present ? start : F{});

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// How are the joints of a world solved? The joint solver of a world that has joints.
+//
+// Joints that are connected through bodies form an island, and are solved together: equal islands side by side, in
+// batches (joint_batch.h). An island with many loops is swept, joint by joint. Islands that touch nothing go through a
+// whole step at once.
+#pragma once
+#include <plumb/dynamics/jointed/joint_bounces.h>
+#include <plumb/dynamics/jointed/joint_contacts.h>
+#include <plumb/dynamics/jointed/joint_solver.h>
+
+namespace plumb {
+
+class IslandSolver final : public JointSolver {
+public:
+    std::unique_ptr<JointSolver> copy() const override { return std::make_unique<IslandSolver>(*this); }
+
+    std::size_t begin(const JointStores& stores, std::vector<BodyIndex>& solved) override;
+    void fly(FunctionRef<void(std::vector<BodyIndex>& bodies, int subStep)> move) override;
+    void solve(const HalfStep& half) override;
+    void respondToContacts(const HalfStep& half) override;
+    void move() override;
+    void end(FunctionRef<void(BodyIndex, const BodyMove&)> store) override;
+
+    std::span<JointIsland> islands() override { return islands_.islands; }
+    JointIsland* islandOf(BodyIndex body) override;
+    void respond(JointIsland& island, std::span<BodyPush> pushes) override;
+    void push(JointIsland& island, std::span<BodyPush> pushes) override;
+    double openingOf(const JointIsland& island) override { return island.batch->numbers.openingOf(island.lane); }
+    void closeGaps(JointIsland& island, double time) override;
+
+    std::span<const JointIndex> breakable() const override { return islands_.breakable; }
+    double springEnergy(const JointStore& joints, const BodyStore& bodies) const override;
+    std::size_t bytes() const override { return islands_.bytes(); }
+
+private:
+    void findIslands();
+    void choosePieces(JointIsland& island) const;
+    void cutBatches();
+    void loadBatches();
+    std::size_t sortBodies(std::vector<BodyIndex>& solved);
+    void sweep(const HalfStep& half);
+    IslandTurn turnOf(const HalfStep& half) const;
+    template <class Change>
+    void reportGround(const std::vector<BodyIndex>& bodies, Change&& change);
+
+    JointIslands islands_;
+
+    // Of the present step:
+    JointStores stores_;
+    double dt_ = 0;
+    std::vector<JointIsland*> order_;           ///< in which they lie in batches
+    std::vector<std::span<JointIsland*>> cut_;  ///< the batches' parts of it
+    std::span<JointBatch> moving_;              ///< batches that move with the next call
+    std::vector<std::uint32_t> islandOf_;       ///< of each body; none: in no island, or in a swept one
+    std::vector<BodyIndex> flying_;             ///< bodies of a batch
+    JointBounces bounces_;
+    JointedContacts contacts_;
+    bool inHalf_ = false;  ///< from solve to respondToContacts
+};
+
+/// Makes a joint solver: see Lock and World::join.
+std::unique_ptr<JointSolver> islandSolver();
+
+}  // namespace plumb
