@@ -51,7 +51,7 @@ const std::map<std::string, std::string> notInModule{
     {"TileMap.lowerLeft", "a product"},
     {"TileMap.centerOf", "a product"},
     {"TileMap.cornersOf", "for whoever draws slopes: aabbOf and forms"},
-    {"Lock.joints", "a bool in JavaScript"},
+    {"Lock.solver", "a bool in JavaScript"},
     {"TileMap.new", "tileMapOf makes one, and so does a definition"},
     {"Wrap.shortest", "shortest, a function"},
     {"Cornering.of", "a member in JavaScript"},

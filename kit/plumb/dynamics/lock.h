@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Is a body kept from moving along an axis? A bool whose value true links the code of joints into the program.
 #pragma once
-#include <memory>
 
 namespace plumb {
 
@@ -11,7 +10,7 @@ class JointSolver;
 /// defined beside that code, so a program that uses neither locks nor joints links none of it.
 class Lock {
 public:
-    using Maker = std::unique_ptr<JointSolver> (*)();
+    using Maker = JointSolver* (*)();  ///< its caller owns what it makes
 
     constexpr Lock() = default;
     Lock(bool locked);  // NOLINT(google-explicit-constructor): .lockX = true

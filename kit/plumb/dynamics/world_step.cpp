@@ -160,20 +160,19 @@ void collide(Step& s) {
 void solveImpacts(Step& s) {
     WorldState& w = s.world;
     const ImpactStores stores{w.contacts, w.bodies, w.fields, w.space, s.observer()};
-    Impacts impacts = solveIsolatedImpacts(w.graph, stores, s.dt, w.hitSpeed);
-    w.trajectories = std::move(impacts.trajectories);
+    TouchEvents touches = solveIsolatedImpacts(w.graph, stores, w.trajectories, s.dt, w.hitSpeed);
     const WallTouchStores touched{w.graph, w.contacts, w.bodies, w.space, s.observer()};
     if (w.walls > 0)
         for (const WallImpact& impact : stopFlights(stores, w.trajectories, s.dt))
-            reportWallImpact(touched, impact, s.dt, w.hitSpeed, impacts.touches);
-    s.report(impacts.touches);
+            reportWallImpact(touched, impact, s.dt, w.hitSpeed, touches);
+    s.report(touches);
 }
 
 /// Slides are found before the solver moves their discs, and placed after it, over what it computed.
 void solve(Step& s) {
     WorldState& w = s.world;
     w.graph.sortOverflow(w.contacts);
-    std::vector<ChainSlideEnd> slides;
+    StepList<ChainSlideEnd> slides;
     if (w.chainPieces > 0) slides = findChainSlides(w.bodies, w.contacts, w.space, s.dt);
     s.report(solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.joints, *w.jointSolver, w.solver,
                                s.observer(), w.walls > 0, w.hitSpeed},
@@ -211,7 +210,8 @@ void watchSensors(Step& s) {
 void sleep(Step& s) {
     WorldState& w = s.world;
     if (w.sleeping)
-        w.events.sleepers = sleepIslands({w.bodies, w.graph, w.contacts, w.joints, w.space}, w.solver, s.dt);
+        for (const BodyIndex body : sleepIslands({w.bodies, w.graph, w.contacts, w.joints, w.space}, w.solver, s.dt))
+            w.events.sleepers.push_back(body);
 }
 
 /// Seconds are wanted. 16.67 is a frame in milliseconds, and nobody's step.

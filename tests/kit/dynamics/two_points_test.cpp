@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Are the impulses at the two points of a contact those of both together?
-#include <plumb/dynamics/contacts/lanes/two_points.h>
+#include <plumb/math/detail/two_points.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,6 +11,7 @@
 #include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/dynamics/body_def.h>
 #include <plumb/dynamics/id.h>
+#include <plumb/math/detail/arrays.h>
 #include <plumb/math/transform.h>
 #include <plumb/space/detail/space.h>
 
@@ -28,6 +29,15 @@ struct BodyMotion {
 /// The velocity of the body's material point that is now at this point [m/s].
 inline Vec2 velocityAt(const BodyMotion& motion, const Vec2& point) {
     return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
+}
+
+/// Along x, along y, turning.
+inline Vec3 velocityOf(const BodyMotion& motion) {
+    return {motion.velocity.x(), motion.velocity.y(), motion.angularVelocity};
+}
+inline void setVelocity(BodyMotion& motion, const Vec3& velocity) {
+    motion.velocity = {velocity[0], velocity[1]};
+    motion.angularVelocity = velocity[2];
 }
 
 /// The periodic image of a body at this offset [m].

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/bodies/free_motion.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumb {
@@ -38,6 +39,14 @@ BodyMotion moveFreely(const BodyMotion& from, const FlightLaw& law, double time)
     to.angularVelocity = from.angularVelocity * angular.keep + a.angular * angular.gain;
     if (to.angle != from.angle) to.rotation = Rot::fromAngle(to.angle);
     return to;
+}
+
+double restingSpeed(const BodyStore& bodies, BodyIndex a, BodyIndex b, const Vec2& normal) {
+    const auto pullOn = [&](BodyIndex body) {
+        const Vec2 pull = flightLawOf(bodies, body).acceleration.linear;
+        return bodies.links[body].actingJoints > 0 ? pull.norm() : std::fabs(pull.dot(normal));
+    };
+    return 0.5 * bodies.lastStep * std::max(pullOn(a), pullOn(b));
 }
 
 /// After the solver, O(awake bodies): what neither the impacts nor the solver have moved goes the whole step at once.

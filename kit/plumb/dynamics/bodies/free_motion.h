@@ -28,6 +28,11 @@ struct Decay {
 };
 Decay decay(double damping, double time);
 
+/// The speed that the accelerations of two bodies make along a normal in half a step, of the body that gets more:
+/// slower bounces are none (impact/detail/bounces.h). Joints may turn the pull on a body into any direction, so that of
+/// a jointed body counts whole [m/s].
+double restingSpeed(const BodyStore& bodies, BodyIndex a, BodyIndex b, const Vec2& normal);
+
 /// Moves all bodies that neither impacts nor the solver move in this step of dt [s].
 void moveFreeBodies(BodyStore& bodies, double dt, StepObserver* observer);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which events of a step does an observer receive, such as the ledger of energy and momentum?
 #pragma once
-#include <vector>
+#include <span>
 
 #include <plumb/dynamics/bodies/body_store.h>
 #include <plumb/math/detail/arrays.h>
@@ -27,7 +27,7 @@ public:
     // The solver's events, in the order in which they happen.
     virtual void beginSolver() = 0;
     /// Called before the forces of half a sub-step act.
-    virtual void beginHalf(const std::vector<BodyIndex>& solved) = 0;
+    virtual void beginHalf(std::span<const BodyIndex> solved) = 0;
     /// After beginHalf: the velocity change of a body by fields; base: its part by gravity and forces [m/s].
     virtual void noteFieldKick(BodyIndex body, const FieldKick& kick, const Vec2& base) = 0;
     /// A joint's rows in one pass: their impulses, their speeds after the pass, and slopes: by how much each impulse
@@ -41,7 +41,7 @@ public:
     virtual void beginBounces() = 0;
     virtual void endBounces() = 0;
     /// Called after the solver has stored the bodies' new states.
-    virtual void endSolver(const std::vector<BodyIndex>& solved, double dt) = 0;
+    virtual void endSolver(std::span<const BodyIndex> solved, double dt) = 0;
 };
 
 }  // namespace plumb

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 
 #include <plumb/collide/lanes/pair_lanes.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
@@ -34,14 +36,30 @@ void copySlot(Colour& to, std::size_t toSlot, const Colour& from, std::size_t fr
     copyLane(to.batches[t], lane, from.batches[f], fromLane, batchRows);
     copyLane(to.manifolds[t], lane, from.manifolds[f], fromLane, manifoldRows);
     copyLane(to.pairs[t], lane, from.pairs[f], fromLane, pairRows);
-    if (!to.kept.empty()) copyLane(to.kept[t], lane, from.kept[f], fromLane, keptRows);
+    if (!to.kept.empty() && !from.kept.empty()) copyLane(to.kept[t], lane, from.kept[f], fromLane, keptRows);
     noteFlags({to.batches[t], to.manifolds[t], lane});
 }
 
 /// A colour with one batch that is empty.
-const Colour& emptyColour() {
-    static const Colour empty{{ContactBatch{}}, {ManifoldLanes{}}, {PairLanes{}}, {KeptLanes{}}, {}};
-    return empty;
+Colour emptyColour() {
+    return {{ContactBatch{}}, {ManifoldLanes{}}, {PairLanes{}}, {KeptLanes{}}, {}};
+}
+
+/// Brings to a slot the contact that belongs there, to that one's slot the next, and so on around.
+void moveAround(Colour& colour, StepList<std::uint32_t>& from, std::uint32_t start, Colour& spare) {
+    if (from[start] == start) return;
+    copySlot(spare, 0, colour, start);
+    const ContactIndex first = colour.contactOf[start];
+    std::uint32_t slot = start;
+    for (std::uint32_t next = from[slot]; next != start; next = from[slot]) {
+        copySlot(colour, slot, colour, next);
+        colour.contactOf[slot] = colour.contactOf[next];
+        from[slot] = slot;
+        slot = next;
+    }
+    copySlot(colour, slot, spare, 0);
+    colour.contactOf[slot] = first;
+    from[slot] = slot;
 }
 
 /// Appends an empty batch. The capacity grows by a quarter, less than a vector's own growth: batches take most of a
@@ -97,21 +115,23 @@ void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex i
 }
 
 void ContactGraph::sortOverflow(ContactStore& contacts) {
+    if (spare_.batches.empty()) spare_ = emptyColour();
     for (std::size_t kind = 0; kind < 2; ++kind) {
         Colour& colour = colours[2 * static_cast<std::size_t>(overflowColour) + kind];
-        // Sorted every step, but hardly ever out of order: the test is O(n), and a copy of the colour is made only if a
-        // contact came or went. Test: "a crowd that bounces 1 km away does not change a bit of how 60 bodies pile up"
+        // Sorted every step, but hardly ever out of order: the test is O(n). Test: "a crowd that bounces 1 km away does
+        // not change a bit of how 60 bodies pile up"
         const auto comesFirst = [&contacts](ContactIndex a, ContactIndex b) {
             return shapesOf(contacts[a]) < shapesOf(contacts[b]);
         };
         if (std::is_sorted(colour.contactOf.begin(), colour.contactOf.end(), comesFirst)) continue;
-        const Colour old = colour;
-        std::sort(colour.contactOf.begin(), colour.contactOf.end(), comesFirst);
-        for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot) {
-            ContactRecord& contact = contacts[colour.contactOf[slot]];
-            copySlot(colour, slot, old, contact.slot);
-            contact.slot = static_cast<std::uint32_t>(slot);
-        }
+        StepList<std::uint32_t> from(colour.contactOf.size());  // for each slot: the one whose contact belongs there
+        std::iota(from.begin(), from.end(), std::uint32_t{0});
+        std::sort(from.begin(), from.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return comesFirst(colour.contactOf[a], colour.contactOf[b]);
+        });
+        for (std::uint32_t start = 0; start < from.size(); ++start) moveAround(colour, from, start, spare_);
+        for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot)
+            contacts[colour.contactOf[slot]].slot = static_cast<std::uint32_t>(slot);
     }
 }
 
@@ -171,7 +191,8 @@ void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactInde
     // The last contact moves into the gap. Its old lane is emptied, not just forgotten: whole vectors are solved, and
     // bodies and masses of unused lanes must be 0.
     copySlot(colour, slot, colour, last);
-    copySlot(colour, last, emptyColour(), 0);
+    static const Colour empty = emptyColour();
+    copySlot(colour, last, empty, 0);
     colour.contactOf[slot] = colour.contactOf[last];
     contacts[colour.contactOf[slot]].slot = static_cast<std::uint32_t>(slot);
     colour.contactOf.pop_back();

@@ -88,6 +88,8 @@ private:
     static ConstContactLane laneIn(const Colour& colour, std::size_t slot) {
         return {colour.batches[slot / batchLanes], colour.manifolds[slot / batchLanes], slot % batchLanes};
     }
+
+    Colour spare_;  ///< room for one contact, to sort others
 };
 
 /// A contact's normal, and a point half-way between the surfaces, in the world, at the bodies' present places.

@@ -112,9 +112,9 @@ bool isSolid(ContactStore& contacts, const BodyStore& bodies, const Space& space
     return solid;
 }
 
-std::vector<ContactIndex> findLetThrough(ContactStore& contacts, const ContactGraph& graph, const BodyStore& bodies,
-                                         const Space& space) {
-    std::vector<ContactIndex> through;
+StepList<ContactIndex> findLetThrough(ContactStore& contacts, const ContactGraph& graph, const BodyStore& bodies,
+                                      const Space& space) {
+    StepList<ContactIndex> through;
     for (const ContactIndex index : contacts.withVerdict) {
         const ContactRecord& contact = contacts[index];
         if (!contact.isSolved()) continue;

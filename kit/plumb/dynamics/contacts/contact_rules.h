@@ -8,6 +8,7 @@
 // deep a load presses it, until its normal leaves the 60 degrees, at the side or below.
 #pragma once
 #include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/math/detail/step_list.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {
@@ -32,8 +33,8 @@ bool comesFromOpenSide(const BodyStore& bodies, const Proxy& a, const Proxy& b, 
 bool isSolid(ContactStore& contacts, const BodyStore& bodies, const Space& space, ContactIndex contact,
              const Face& face);
 /// Checks the contacts in the solver again. Returns those whose shapes may pass through each other now.
-std::vector<ContactIndex> findLetThrough(ContactStore& contacts, const ContactGraph& graph, const BodyStore& bodies,
-                                         const Space& space);
+StepList<ContactIndex> findLetThrough(ContactStore& contacts, const ContactGraph& graph, const BodyStore& bodies,
+                                      const Space& space);
 /// Resets the verdicts of contacts that have parted in this step.
 void dropVerdicts(ContactStore& contacts, const ContactGraph& graph);
 

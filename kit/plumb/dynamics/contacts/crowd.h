@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/pairs.h>
+#include <plumb/math/detail/step_list.h>
 #include <plumb/math/function_ref.h>
 
 namespace plumb {
@@ -45,7 +46,7 @@ private:
     ContactStore& contacts_;
     const BodyStore& bodies_;
     const Space& space_;
-    std::vector<Overlaps> overlaps_;  ///< of each body, as far as known; empty: none
+    StepList<Overlaps> overlaps_;  ///< of each body, as far as known; empty: none
 };
 
 }  // namespace plumb

@@ -31,7 +31,7 @@ void NarrowPhase::collideSolved() {
     contacts_.predicted.clear();
     FreshLanes fresh{};  // lanes that are not in use are prepared, too: they must be finite
     for (std::size_t index = 0; index < graph_.colours.size(); ++index) collideColour(index, fresh);
-    const std::vector<ContactIndex> through = findLetThrough(contacts_, graph_, bodies_, space_);
+    const StepList<ContactIndex> through = findLetThrough(contacts_, graph_, bodies_, space_);
     parted_.insert(parted_.end(), through.begin(), through.end());
     removeParted(contacts_.nearBoxes);
     removeParted(contacts_.nearOthers);
@@ -169,7 +169,7 @@ void NarrowPhase::sortArrivals() {
         std::size_t batch, lane;
         bool operator<(const Place& other) const { return boxes != other.boxes ? boxes : shapes < other.shapes; }
     };
-    std::vector<Place> order;
+    StepList<Place> order;
     for (std::size_t batch = 0; batch < arrivals_.size(); ++batch)
         for (std::size_t lane = 0; lane < arrivals_[batch].count; ++lane) {
             const ContactRecord& c = contacts_[arrivals_[batch].contacts[lane]];
@@ -177,7 +177,7 @@ void NarrowPhase::sortArrivals() {
         }
     if (std::is_sorted(order.begin(), order.end())) return;
     std::sort(order.begin(), order.end());
-    const std::vector<Arrivals> found = std::exchange(arrivals_, {});
+    const StepList<Arrivals> found = std::exchange(arrivals_, {});
     for (const Place& place : order) {
         const Arrivals& some = found[place.batch];
         addArrival(some.contacts[place.lane], some.fresh, place.lane);

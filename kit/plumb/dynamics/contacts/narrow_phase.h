@@ -8,6 +8,7 @@
 #include <plumb/dynamics/contacts/floors/corner_watch.h>
 #include <plumb/dynamics/contacts/pair_collider.h>
 #include <plumb/dynamics/contacts/touch_events.h>
+#include <plumb/math/detail/step_list.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {
@@ -39,7 +40,7 @@ public:
     void finish();
 
     /// Touches that ended because their contacts were removed.
-    const std::vector<TouchEnd>& ends() const { return ends_; }
+    const StepList<TouchEnd>& ends() const { return ends_; }
 
 private:
     /// Contacts that begin to touch, with their manifolds.
@@ -71,10 +72,10 @@ private:
     int lanes_;
     double dt_;
     std::size_t boxesDone_ = 0, othersDone_ = 0;  ///< number of near contacts that are collided
-    std::vector<ContactIndex> parted_;
-    std::vector<Arrivals> arrivals_;
-    std::vector<BodyIndex> sleepers_;
-    std::vector<TouchEnd> ends_;
+    StepList<ContactIndex> parted_;
+    StepList<Arrivals> arrivals_;
+    StepList<BodyIndex> sleepers_;
+    StepList<TouchEnd> ends_;
 };
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_store.h>
+#include <plumb/impact/impact.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {
@@ -36,5 +37,10 @@ std::vector<ShiftedShapes> pairsOfShape(const ContactStore& contacts, const Body
                                         ProxyId proxy);
 /// Sets the contact's friction, restitution, rolling resistance and surface speed from its two materials.
 void mixMaterials(const Space& space, ContactRecord& contact);
+
+/// The law of impacts of a contact with its materials mixed.
+inline ImpactLaw impactLawOf(const ContactRecord& contact) {
+    return {contact.restitution, contact.friction, static_cast<double>(contact.surfaceSpeed)};
+}
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
@@ -23,8 +24,8 @@ struct TouchEnd {
 
 /// The touch events that a phase of a step returns.
 struct TouchEvents {
-    std::vector<ShapeTouch> begins, hits;
-    std::vector<TouchEnd> ends;
+    StepList<ShapeTouch> begins, hits;
+    StepList<TouchEnd> ends;
 };
 
 /// A touch begins when two shapes press on each other or overlap. It ends when they do not press and are at least 1 mm

@@ -52,7 +52,7 @@ void addPairs(WorldState& world, std::span<const ShiftedShapes> pairs) {
 /// The body that carries a magnet is drawn by what it draws, so it wakes, too.
 void wakeInfluenced(WorldState& world, const FieldRecord& field) {
     const FieldStores view{world.fields, world.bodies, world.space};
-    std::vector<BodyIndex> influenced = view.fields.solver->influencedBy(view, field);
+    StepList<BodyIndex> influenced = view.fields.solver->influencedBy(view, field);
     if (const auto* magnet = std::get_if<Magnet>(&field.def.law))
         if (isCarried(*magnet, view)) influenced.push_back(magnet->body.index);
     for (const BodyIndex body : influenced) wakeIsland(world, body);

@@ -50,7 +50,7 @@ void keepApartNoMore(BodyStore& bodies, BodyIndex a, BodyIndex b) {
 
 /// A new record. The first one brings the solver: a program without joints does not link its code (joint_solver.h).
 JointIndex acquire(WorldState& world, Lock::Maker solver) {
-    if (world.joints.records.empty()) world.jointSolver = solver();
+    if (world.joints.records.empty()) world.jointSolver = std::unique_ptr<JointSolver>(solver());
     return world.joints.acquire();
 }
 

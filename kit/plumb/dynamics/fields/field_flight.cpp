@@ -135,7 +135,7 @@ private:
     int steps_;
     double h_;
     bool around_ = false;
-    std::vector<VerletFlight> verlet_;
+    StepList<VerletFlight> verlet_;
 };
 
 /// Sets the law of a flight on which only steady fields act: their force is the same everywhere.

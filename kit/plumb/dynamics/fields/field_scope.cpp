@@ -161,8 +161,8 @@ FieldInfluence influenceOn(const FieldStores& view, BodyIndex body, const Vec2& 
 
 /// O(all bodies), sleeping ones, too: called when a field is added or changed, for energies, and in each step for
 /// mutual gravity and magnets.
-std::vector<BodyIndex> bodiesInfluencedBy(const FieldStores& view, const FieldRecord& field) {
-    std::vector<BodyIndex> influenced;
+StepList<BodyIndex> bodiesInfluencedBy(const FieldStores& view, const FieldRecord& field) {
+    StepList<BodyIndex> influenced;
     for (BodyIndex body = 1; body < view.bodies.record.size(); ++body) {
         if (isCarriedBy(field.def.law, body)) continue;
         const BodyMotion& motion = view.bodies.motion[body];
@@ -174,15 +174,14 @@ std::vector<BodyIndex> bodiesInfluencedBy(const FieldStores& view, const FieldRe
 
 /// In the predict phase of a step, for each field. The list is gathered once, because each of its bodies goes through
 /// it in each sub-step: O(n^2) of mutual gravity.
-std::vector<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex index, const BodyStore& bodies,
-                                       const Space& space) {
+StepList<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex index, const BodyStore& bodies, const Space& space) {
     const FieldStores view{fields, bodies, space};
     FieldRecord& field = fields.records[index];
     field.attracted.clear();
     if (!field.alive || !attractsOthers(field.def)) return {};
     for (BodyIndex body = 1; body < bodies.record.size(); ++body)
         if (bodies.canMove(body) && passesFilter(field, view, body)) field.attracted.push_back(body);
-    return keepsAwake(view, field.def) ? bodiesInfluencedBy(view, field) : std::vector<BodyIndex>();
+    return keepsAwake(view, field.def) ? bodiesInfluencedBy(view, field) : StepList<BodyIndex>();
 }
 
 }  // namespace plumb

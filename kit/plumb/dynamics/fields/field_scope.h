@@ -34,9 +34,8 @@ enum class FieldInfluence {
 FieldInfluence influenceOn(const FieldStores& view, BodyIndex body, const Vec2& from, const Vec2& to);
 
 /// All bodies on which a field acts, asleep or awake, except the one that carries it.
-std::vector<BodyIndex> bodiesInfluencedBy(const FieldStores& view, const FieldRecord& field);
+StepList<BodyIndex> bodiesInfluencedBy(const FieldStores& view, const FieldRecord& field);
 /// Before a step: notes which bodies mutual gravity and magnets attract. Returns those that may not sleep.
-std::vector<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex field, const BodyStore& bodies,
-                                       const Space& space);
+StepList<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex field, const BodyStore& bodies, const Space& space);
 
 }  // namespace plumb

@@ -31,7 +31,7 @@ void FieldSolving::begin(FieldStore& fields, BodyStore& bodies, const Space& spa
 }
 
 /// Once a sub-step: the kick at its end and the one at the next one's start are at the same places.
-void FieldSolving::findPulls(const std::vector<BodyIndex>& solved) {
+void FieldSolving::findPulls(std::span<const BodyIndex> solved) {
     std::vector<BodyMotion>& now = fields_->now;
     if (dependsOnOtherBodies(*fields_)) {
         // Bodies that are not solved move as predicted; bodies that the impacts have moved are already at the step's
@@ -58,7 +58,7 @@ bool FieldSolving::isInfluenced(BodyIndex body) const {
 }
 
 /// The same kick as in free flight (kickOf), of which the contacts then take away what they stop.
-void FieldSolving::kick(const std::vector<BodyIndex>& solved) {
+void FieldSolving::kick(std::span<const BodyIndex> solved) {
     if (bodies_->flights.empty()) return;
     if (!known_) findPulls(solved);
     for (std::size_t i = 0; i < solved.size(); ++i) {

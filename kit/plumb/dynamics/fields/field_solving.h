@@ -13,8 +13,8 @@ class FieldSolving final : public FieldSolver {
 public:
     std::unique_ptr<FieldSolver> copy() const override { return std::make_unique<FieldSolving>(); }
 
-    std::vector<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex field, const BodyStore& bodies,
-                                           const Space& space) override {
+    StepList<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex field, const BodyStore& bodies,
+                                        const Space& space) override {
         return plumb::gatherAttracted(fields, field, bodies, space);
     }
     void predictFlights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt) override {
@@ -24,7 +24,7 @@ public:
                            const PredictedFlight& before, const BodyMotion& from, double start, double time) override {
         return plumb::flightFrom(fields, bodies, space, before, from, start, time);
     }
-    std::vector<BodyIndex> influencedBy(const FieldStores& view, const FieldRecord& field) const override {
+    StepList<BodyIndex> influencedBy(const FieldStores& view, const FieldRecord& field) const override {
         return bodiesInfluencedBy(view, field);
     }
     double energy(const FieldStores& view) const override { return fieldEnergyOf(view); }
@@ -33,11 +33,11 @@ public:
     }
 
     void begin(FieldStore& fields, BodyStore& bodies, const Space& space, double h, StepObserver* observer) override;
-    void kick(const std::vector<BodyIndex>& solved) override;
+    void kick(std::span<const BodyIndex> solved) override;
     void moved() override { known_ = false; }
 
 private:
-    void findPulls(const std::vector<BodyIndex>& solved);
+    void findPulls(std::span<const BodyIndex> solved);
     bool isInfluenced(BodyIndex body) const;
 
     // Of the present step:

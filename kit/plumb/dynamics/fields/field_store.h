@@ -6,6 +6,7 @@
 #include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/field_def.h>
 #include <plumb/math/detail/owned.h>
+#include <plumb/math/detail/step_list.h>
 #include <plumb/shapes/aabb.h>
 
 namespace plumb {
@@ -83,9 +84,7 @@ public:
     virtual std::unique_ptr<FieldSolver> copy() const { return std::make_unique<FieldSolver>(); }
 
     /// Before a step: notes which bodies a field attracts, and returns those that may not sleep.
-    virtual std::vector<BodyIndex> gatherAttracted(FieldStore&, FieldIndex, const BodyStore&, const Space&) {
-        return {};
-    }
+    virtual StepList<BodyIndex> gatherAttracted(FieldStore&, FieldIndex, const BodyStore&, const Space&) { return {}; }
     /// At the start of a step of dt [s]: predicts the flights of all bodies on which fields act.
     virtual void predictFlights(FieldStore&, BodyStore&, const Space&, double) {}
     /// Predicts how a body on which fields act moves on for a time [s]. It is at from, at a time start [s] after the
@@ -100,11 +99,11 @@ public:
     /// In each half of a sub-step, after the bodies' kick and before the joints, at the positions and velocities that
     /// the bodies have at that moment: changes the velocities of those solved bodies on which fields act. The list may
     /// be filled up with noBody.
-    virtual void kick(const std::vector<BodyIndex>&) {}
+    virtual void kick(std::span<const BodyIndex>) {}
     /// After the bodies have moved by a sub-step.
     virtual void moved() {}
 
-    virtual std::vector<BodyIndex> influencedBy(const FieldStores&, const FieldRecord&) const { return {}; }
+    virtual StepList<BodyIndex> influencedBy(const FieldStores&, const FieldRecord&) const { return {}; }
     virtual double energy(const FieldStores&) const { return 0; }  ///< of all bodies [J]
     /// Of one body if it were there [J].
     virtual double energyOf(const FieldStores&, BodyIndex, const BodyMotion&) const { return 0; }

@@ -14,13 +14,13 @@ PlacedOutline localOutline(const Capsule& capsule) {
     return {{capsule.start, capsule.end}, capsule.radius, true};
 }
 PlacedOutline localOutline(const Polygon& polygon) {
-    return {polygon.vertices, polygon.radius, true};
+    return {{polygon.vertices.begin(), polygon.vertices.end()}, polygon.radius, true};
 }
 PlacedOutline localOutline(const Segment& segment) {
     return {{segment.start, segment.end}, 0, false};
 }
 PlacedOutline localOutline(const Chain& chain) {
-    return {chain.points, 0, false};
+    return {{chain.points.begin(), chain.points.end()}, 0, false};
 }
 
 /// The corners of all pieces of its solid tiles; a single point if there are none.
@@ -55,11 +55,11 @@ Fluid seenFrom(const BodyMotion& motion, const Fluid& fluid) {
 
 // Computed in the body's frame: there the shapes are as exact as when they were added, however far the body is from the
 // world's origin.
-std::vector<Submerged> submergedPartsOf(const BodyStore& bodies, const Space& space, BodyIndex body,
-                                        const BodyMotion& motion, const Fluid& fluid) {
+StepList<Submerged> submergedPartsOf(const BodyStore& bodies, const Space& space, BodyIndex body,
+                                     const BodyMotion& motion, const Fluid& fluid) {
     const BodyRecord& record = bodies.record[body];
     const Fluid seen = seenFrom(motion, fluid);
-    std::vector<Submerged> parts;
+    StepList<Submerged> parts;
     for (const ProxyId proxy : bodies.links[body].proxies) {
         const ShapeDef& def = space[proxy].def;
         const PlacedOutline outline = placedOutline(def.shape, record, {});

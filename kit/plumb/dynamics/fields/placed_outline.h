@@ -7,12 +7,13 @@
 #include <plumb/forces/buoyancy.h>
 #include <plumb/shapes/shape.h>
 #include <plumb/space/detail/space.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
 struct PlacedOutline {
-    std::vector<Vec2> corners;  ///< in the world [m]
-    double radius = 0;          ///< rounding radius: the outline lies this far outside the corners [m]
+    StepList<Vec2> corners;  ///< in the world [m]
+    double radius = 0;       ///< rounding radius: the outline lies this far outside the corners [m]
     bool hasArea = false;
 };
 
@@ -20,7 +21,7 @@ struct PlacedOutline {
 PlacedOutline placedOutline(const Shape& shape, const BodyRecord& body, const BodyMotion& there);
 
 /// The submerged part of each of the body's shapes that has one. The body's position is that of motion.
-std::vector<Submerged> submergedPartsOf(const BodyStore& bodies, const Space& space, BodyIndex body,
-                                        const BodyMotion& motion, const Fluid& fluid);
+StepList<Submerged> submergedPartsOf(const BodyStore& bodies, const Space& space, BodyIndex body,
+                                     const BodyMotion& motion, const Fluid& fluid);
 
 }  // namespace plumb

@@ -8,7 +8,6 @@
 #include <variant>
 
 #include <plumb/dynamics/bodies/free_motion.h>
-#include <plumb/dynamics/bodies/meeting.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/impact/detail/bounces.h>
 #include <plumb/space/detail/chain_path.h>
@@ -39,7 +38,7 @@ struct SlidingDisc {
     BodyIndex ground = noBody;
     std::uint32_t number = 0;  ///< of the chain among the ground's shapes
     double restitution = 0, friction = 0;
-    std::vector<ProxyId> met;  ///< segments that it may touch in the step
+    StepList<ProxyId> met;  ///< segments that it may touch in the step
 };
 
 Vec2 nearestOn(const Vec2& start, const Vec2& end, const Vec2& point) {
@@ -287,9 +286,9 @@ void noteSlide(const BodyStore& bodies, const ChainSlideEnd& slide, double dt, S
 /// MovedBy::Chain keeps the solver from moving the discs, while it solves their contacts. Worlds that wrap are left
 /// out: distances to the chain do not look for its nearest image. O(awake bodies), and nearly all end at the first
 /// test.
-std::vector<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore& contacts, const Space& space,
-                                           double dt) {
-    std::vector<ChainSlideEnd> slides;
+StepList<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore& contacts, const Space& space,
+                                        double dt) {
+    StepList<ChainSlideEnd> slides;
     if (bodies.wrap.any()) return slides;
     SlideSearch search(bodies, contacts, space, dt);
     for (const BodyIndex body : bodies.awake)
@@ -300,7 +299,7 @@ std::vector<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore
 
 /// After the solver. MovedBy::Solver, so that what follows, as sensors and sleep, treats a disc like any body in
 /// contact.
-void moveAlongChains(BodyStore& bodies, const std::vector<ChainSlideEnd>& slides, double dt, StepObserver* observer) {
+void moveAlongChains(BodyStore& bodies, const StepList<ChainSlideEnd>& slides, double dt, StepObserver* observer) {
     for (const ChainSlideEnd& slide : slides) {
         if (observer != nullptr) noteSlide(bodies, slide, dt, *observer);
         bodies.step[slide.body].movedBy = MovedBy::Solver;

@@ -10,6 +10,7 @@
 
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/contact_store.h>
+#include <plumb/math/detail/step_list.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {
@@ -21,10 +22,9 @@ struct ChainSlideEnd {
 };
 
 /// Call this before the solver moves the bodies, after the impacts. The solver will not move the discs that are found.
-std::vector<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore& contacts, const Space& space,
-                                           double dt);
+StepList<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore& contacts, const Space& space, double dt);
 
 /// Call this after the solver: moves the discs to the ends of their slides. observer may be null.
-void moveAlongChains(BodyStore& bodies, const std::vector<ChainSlideEnd>& slides, double dt, StepObserver* observer);
+void moveAlongChains(BodyStore& bodies, const StepList<ChainSlideEnd>& slides, double dt, StepObserver* observer);
 
 }  // namespace plumb

@@ -20,7 +20,7 @@ public:
     /// Searches a segment. If its body meets a wall, the segment ends there, the impact is solved, and a new segment
     /// follows to the step's end, which is searched in turn. True if the path has changed; path then replaces the
     /// segment.
-    bool stop(const TrajectorySegment& segment, Trajectories& path) {
+    bool stop(const TrajectorySegment& segment, StepList<TrajectorySegment>& path) {
         path = {segment};
         for (int impacts = 0; impacts <= mostFlightStops; ++impacts) {
             TrajectorySegment& last = path.back();
@@ -33,11 +33,12 @@ public:
                 last.to = moveFreely(last.from, flightLawOf(stores_.bodies, last.body), last.end - last.start);
             const BodyMotion wall = wallMotionAt(hit, duration);
             const BodyRecord& record = stores_.bodies.record[last.body];
-            LooseBodies both({wall}, {last.to, record.inverseMass, record.inverseInertia});
+            LooseBodies both({velocityOf(wall)}, {velocityOf(last.to), record.inverseMass, record.inverseInertia});
             const WallImpact impact = solveWallImpact(view_, hit, wall, last.to, both);
             if (impact.normalImpulse > 0) impacts_.push_back(impact);
             if (impacts == mostFlightStops || hit.manifold.count == 0) return true;
-            const BodyMotion& on = both.b.motion;
+            BodyMotion on = last.to;
+            setVelocity(on, both.b.velocity);
             const FlightLaw law = flightLawOf(stores_.bodies, last.body);
             const TrajectorySegment next{last.body, on, moveFreely(on, law, dt_ - last.end), last.end, dt_};
             path.push_back(next);
@@ -45,7 +46,7 @@ public:
         return path.size() > 1;
     }
 
-    std::vector<WallImpact> takeImpacts() { return std::move(impacts_); }
+    StepList<WallImpact> takeImpacts() { return std::move(impacts_); }
 
 private:
     /// Static walls are searched only if the body moved far enough to pass one; kinematic ones always, as they may move
@@ -64,17 +65,17 @@ private:
     const ImpactStores& stores_;
     WallView view_;
     double dt_;
-    std::vector<WallImpact> impacts_;
+    StepList<WallImpact> impacts_;
 };
 
 }  // namespace
 
 /// Once a body was stopped, the rest of its segments belongs to a path that it did not take, so they are dropped. What
 /// it hit on that path keeps the impulse: to undo that, all later impacts would have to be solved anew.
-std::vector<WallImpact> stopFlights(const ImpactStores& stores, Trajectories& trajectories, double dt) {
+StepList<WallImpact> stopFlights(const ImpactStores& stores, Trajectories& trajectories, double dt) {
     FlightStops stops(stores, dt);
-    Trajectories all, path;
-    std::vector<BodyIndex> stopped;
+    StepList<TrajectorySegment> all, path;
+    StepList<BodyIndex> stopped;
     for (const TrajectorySegment& segment : trajectories) {
         if (std::find(stopped.begin(), stopped.end(), segment.body) != stopped.end()) continue;
         if (stops.stop(segment, path)) {
@@ -83,7 +84,7 @@ std::vector<WallImpact> stopFlights(const ImpactStores& stores, Trajectories& tr
         }
         all.insert(all.end(), path.begin(), path.end());
     }
-    trajectories = std::move(all);
+    trajectories.assign(all.begin(), all.end());
     return stops.takeImpacts();
 }
 

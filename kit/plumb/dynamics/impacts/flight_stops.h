@@ -8,10 +8,11 @@
 #pragma once
 #include <plumb/dynamics/impacts/flying_bodies.h>
 #include <plumb/dynamics/meetings/wall_impact.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
 /// Call this when impacts have moved their bodies. Returns the impacts at walls; the trajectories get the new paths.
-std::vector<WallImpact> stopFlights(const ImpactStores& stores, Trajectories& trajectories, double dt);
+StepList<WallImpact> stopFlights(const ImpactStores& stores, Trajectories& trajectories, double dt);
 
 }  // namespace plumb

@@ -10,6 +10,7 @@
 #include <plumb/dynamics/bodies/time_of_impact.h>
 #include <plumb/dynamics/contacts/contact_store.h>
 #include <plumb/dynamics/fields/field_flight.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
@@ -96,11 +97,11 @@ private:
 
     const ImpactStores& stores_;
     double dt_;
-    std::vector<FlyingBody> bodies_;
-    std::vector<FlyingFields> fields_;
-    std::vector<std::pair<FlyingIndex, BodyMotion>> waiting_;  ///< the states of bodies that were stopped
-    std::vector<FlyingIndex> numberOf_;                        ///< of each body, none if it does not take part
-    Trajectories segments_;
+    StepList<FlyingBody> bodies_;
+    StepList<FlyingFields> fields_;
+    StepList<std::pair<FlyingIndex, BodyMotion>> waiting_;  ///< the states of bodies that were stopped
+    StepList<FlyingIndex> numberOf_;                        ///< of each body, none if it does not take part
+    StepList<TrajectorySegment> segments_;
 };
 
 }  // namespace plumb

@@ -101,9 +101,9 @@ private:
         for (const ContactIndex index : contacts_.predicted)
             if (contacts_[index].isSolved()) spinning_.push_back(index);
         if (spinning_.empty()) return;
-        std::vector<ContactIndex>& all = found_.contacts;
+        StepList<ContactIndex>& all = found_.contacts;
         all.insert(all.end(), spinning_.begin(), spinning_.end());
-        for (std::vector<ContactIndex>* some : {&spinning_, &all}) {
+        for (StepList<ContactIndex>* some : {&spinning_, &all}) {
             std::sort(some->begin(), some->end());
             some->erase(std::unique(some->begin(), some->end()), some->end());
         }
@@ -154,7 +154,7 @@ private:
     /// The order of slots changes with each contact that goes, also far away; of two impacts at the same time, the
     /// first in the list is solved first.
     void sortByShapes() {
-        std::vector<std::pair<std::tuple<ProxyId, ProxyId, double, double>, ContactIndex>> order;
+        StepList<std::pair<std::tuple<ProxyId, ProxyId, double, double>, ContactIndex>> order;
         order.reserve(found_.contacts.size());
         for (const ContactIndex index : found_.contacts) order.emplace_back(shapesOf(contacts_[index]), index);
         std::sort(order.begin(), order.end());
@@ -165,10 +165,10 @@ private:
     const ContactStore& contacts_;
     const BodyStore& bodies_;
     ImpactCandidates found_;
-    std::vector<ContactIndex> spinning_;  ///< contacts of spinning bodies, predicted, sorted
-    std::vector<bool> isCandidate_;
-    std::vector<std::uint8_t> isMarked_;  ///< of each body: 1 if its candidates are to be removed
-    std::vector<BodyIndex> constrained_;  ///< bodies whose candidates are to be removed
+    StepList<ContactIndex> spinning_;  ///< contacts of spinning bodies, predicted, sorted
+    StepList<bool> isCandidate_;
+    StepList<std::uint8_t> isMarked_;  ///< of each body: 1 if its candidates are to be removed
+    StepList<BodyIndex> constrained_;  ///< bodies whose candidates are to be removed
 };
 
 }  // namespace

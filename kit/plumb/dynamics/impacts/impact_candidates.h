@@ -5,13 +5,14 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
 /// The contacts of the solver that are isolated impacts, in the order of their shapes.
 struct ImpactCandidates {
-    std::vector<ContactIndex> contacts;
-    std::vector<std::uint32_t> countOf;  ///< for each body: how many of them it has; empty if there are none
+    StepList<ContactIndex> contacts;
+    StepList<std::uint32_t> countOf;  ///< for each body: how many of them it has; empty if there are none
 
     /// Does the solver move this body: has it a joint, or a contact that is not an isolated impact?
     bool isConstrained(const BodyStore& bodies, BodyIndex body) const {

@@ -6,6 +6,7 @@
 
 #include <plumb/collide/manifold.h>
 #include <plumb/dynamics/contacts/contact_rules.h>
+#include <plumb/dynamics/contacts/pairs.h>
 #include <plumb/dynamics/contacts/predicted_manifold.h>
 
 namespace plumb {
@@ -36,7 +37,7 @@ MovingPair shapesOf(const ImpactStores& stores, const FlyingBodies& bodies, cons
 /// turn it either: a gas of smooth discs keeps its spin of exactly zero.
 LooseBody looseBody(const BodyRecord& record, const MovingShape& shape, const BodyMotion& motion, double friction) {
     const bool cannotTurn = friction == 0 && discOf(shape) != nullptr;
-    return {motion, record.inverseMass, cannotTurn ? 0.0 : record.inverseInertia};
+    return {velocityOf(motion), record.inverseMass, cannotTurn ? 0.0 : record.inverseInertia};
 }
 
 /// A disc has one point. Two faces that meet flat push at both ends of their common part: one point would turn a box
@@ -94,13 +95,14 @@ bool solvePair(const ImpactStores& stores, FlyingBodies& bodies, const ImpactPai
     const auto& records = stores.bodies.record;
     LooseBodies both(looseBody(records[contact.bodyA], shapes.a, e.a, contact.friction),
                      looseBody(records[contact.bodyB], shapes.b, e.b, contact.friction));
-    const ImpactLaw law{contact.restitution, contact.friction, static_cast<double>(contact.surfaceSpeed)};
     outcome.where = e.distance;
-    outcome.add(solveMeeting({points, count}, e.distance.normal, law, 0, both));
+    outcome.add(solveMeeting({points, count}, e.distance.normal, impactLawOf(contact), 0, both));
     e.b.center -= contact.shift;  // back from the image to B's own place
-    both.b.motion.center -= contact.shift;
-    bodies.depart(pair.a, e.a, both.a.motion, time);
-    bodies.depart(pair.b, e.b, both.b.motion, time);
+    BodyMotion a = e.a, b = e.b;
+    setVelocity(a, both.a.velocity);
+    setVelocity(b, both.b.velocity);
+    bodies.depart(pair.a, e.a, a, time);
+    bodies.depart(pair.b, e.b, b, time);
     return true;
 }
 

@@ -6,9 +6,9 @@
 #pragma once
 #include <array>
 
-#include <plumb/dynamics/bodies/meeting.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/dynamics/impacts/flying_bodies.h>
+#include <plumb/impact/detail/meeting.h>
 
 namespace plumb {
 

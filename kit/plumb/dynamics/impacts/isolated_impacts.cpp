@@ -37,7 +37,7 @@ public:
     /// Is this body moved through the step here, because it was hit, or is it left to the solver?
     bool isMoved(BodyIndex body) const;
     bool isLeft(BodyIndex body) const;
-    const std::vector<ImpactPair>& pairs() const { return pairs_; }
+    const StepList<ImpactPair>& pairs() const { return pairs_; }
     /// Of a pair with impacts.
     const ImpactOutcome& outcomeOf(const ImpactPair& pair) const { return outcomes_[pair.outcome]; }
     /// Stores the bodies' states at the step's end, and adds their trajectories.
@@ -73,10 +73,10 @@ private:
     const ImpactCandidates& candidates_;
     double dt_;
     FlyingBodies bodies_;
-    std::vector<ImpactPair> pairs_;
-    std::vector<ImpactOutcome> outcomes_;
-    std::vector<bool> hasPair_;  ///< for each contact
-    std::priority_queue<Event, std::vector<Event>, Later> queue_;
+    StepList<ImpactPair> pairs_;
+    StepList<ImpactOutcome> outcomes_;
+    StepList<bool> hasPair_;  ///< for each contact
+    std::priority_queue<Event, StepList<Event>, Later> queue_;
     Reach reach_;
 };
 
@@ -140,7 +140,7 @@ void ImpactEvents::addPair(ContactIndex contact) {
 /// Adds all pairs that a body may meet after an impact: the contacts that it has, and those that its new path needs,
 /// because it leaves the bounds for which contacts were searched.
 void ImpactEvents::addPairsOf(FlyingIndex number) {
-    std::vector<ContactIndex> contacts;
+    StepList<ContactIndex> contacts;
     reach_.extend(bodies_[number], contacts);
     const BodyIndex body = bodies_[number].body;
     forEachContact(stores_.bodies, stores_.contacts, body, [&](ContactIndex contact) {
@@ -271,22 +271,23 @@ bool gaveImpulse(const ImpactOutcome& outcome) {
 /// Called in each step after collide and before solve. Contacts that stay in the solver's slots are solved there; those
 /// of impacts that happened are taken out and get their outcome. Candidates whose bodies met nothing are taken out,
 /// too: their bodies move on their closed form, and the solver would only find that nothing presses there.
-Impacts solveIsolatedImpacts(ContactGraph& graph, const ImpactStores& stores, double dt, double hitSpeed) {
-    Impacts impacts;
+TouchEvents solveIsolatedImpacts(ContactGraph& graph, const ImpactStores& stores, Trajectories& trajectories, double dt,
+                                 double hitSpeed) {
+    TouchEvents touches;
     endImpacts(stores.contacts);
     const ImpactCandidates candidates = findImpactCandidates(graph, stores.contacts, stores.bodies, dt);
-    if (candidates.contacts.empty()) return impacts;
+    if (candidates.contacts.empty()) return touches;
     ImpactEvents events(stores, candidates, dt);
     events.run();
-    events.storeBodies(impacts.trajectories);
+    events.storeBodies(trajectories);
     for (const ImpactPair& pair : events.pairs()) {
         const ContactRecord& contact = stores.contacts[pair.contact];
         const bool happened = pair.impacts > 0 && gaveImpulse(events.outcomeOf(pair)) &&
                               !events.isLeft(contact.bodyA) && !events.isLeft(contact.bodyB);
         if (happened || (contact.isSolved() && !isKept(events, contact))) takeFromSolver(graph, stores, pair.contact);
-        if (happened) storeOutcome(stores, pair.contact, events.outcomeOf(pair), dt, hitSpeed, impacts.touches);
+        if (happened) storeOutcome(stores, pair.contact, events.outcomeOf(pair), dt, hitSpeed, touches);
     }
-    return impacts;
+    return touches;
 }
 
 }  // namespace plumb

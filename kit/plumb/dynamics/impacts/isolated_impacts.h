@@ -19,14 +19,10 @@
 
 namespace plumb {
 
-/// The results of all impacts of a step.
-struct Impacts {
-    Trajectories trajectories;
-    TouchEvents touches;
-};
-
 /// Moves the bodies whose contacts in this step are all isolated impacts, and removes those contacts from the solver's
-/// slots. All other contacts stay in the solver. Impacts faster than hitSpeed [m/s] are hits.
-Impacts solveIsolatedImpacts(ContactGraph& graph, const ImpactStores& stores, double dt, double hitSpeed);
+/// slots. All other contacts stay in the solver. Adds the ways of those
+/// bodies to trajectories. Impacts faster than hitSpeed [m/s] are hits.
+TouchEvents solveIsolatedImpacts(ContactGraph& graph, const ImpactStores& stores, Trajectories& trajectories, double dt,
+                                 double hitSpeed);
 
 }  // namespace plumb

@@ -29,14 +29,14 @@ bool isMetFirst(const std::pair<ProxyId, Vec2>& a, const std::pair<ProxyId, Vec2
 /// Cheap for most impacts: a body that stays within its bounds costs one box. Two bodies that have both left their
 /// bounds do not find each other in the space, which still has their old bounds; so the new boxes are kept in leaving_,
 /// and compared one by one.
-void Reach::extend(const FlyingBody& body, std::vector<ContactIndex>& added) {
+void Reach::extend(const FlyingBody& body, StepList<ContactIndex>& added) {
     const Space& space = stores_.space;
     for (const ProxyId proxy : stores_.bodies.links[body.body].proxies) {
         const Aabb swept = sweptBoxOf(body, proxy);
         if (contains(space.box(proxy), swept)) continue;
         // What goes around a world that wraps meets others only at the places where steps begin, see predictedShift.
         if (stores_.bodies.wrap.isExceededBy(swept.upper - swept.lower)) continue;
-        std::vector<std::pair<ProxyId, Vec2>> found;
+        StepList<std::pair<ProxyId, Vec2>> found;
         space.query(swept, [&](ProxyId other, const Vec2& shift) { found.emplace_back(other, shift); });
         for (const Leaving& shape : leaving_) {
             const Vec2 shift = stores_.bodies.wrap.shiftNear(shape.box.lower, swept.lower);
@@ -68,7 +68,7 @@ Aabb Reach::sweptBoxOf(const FlyingBody& body, ProxyId proxy) const {
 
 /// The contact is noted as early: the search for pairs in the next step will find the same pair, and must not add a
 /// second one.
-void Reach::meet(ProxyId own, ProxyId other, const Vec2& shift, std::vector<ContactIndex>& added) {
+void Reach::meet(ProxyId own, ProxyId other, const Vec2& shift, StepList<ContactIndex>& added) {
     const ShiftedShapes pair = inOrder(own, other, shift);
     if (!mayPair(stores_.space[own], stores_.space[other]) || !mayTouch(stores_.bodies, stores_.space, pair) ||
         findContact(stores_.contacts, stores_.bodies, stores_.space, pair) != none)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <plumb/dynamics/impacts/flying_bodies.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
@@ -15,7 +16,7 @@ public:
     Reach(const ImpactStores& stores, double dt) : stores_(stores), dt_(dt) {}
 
     /// If the rest of a body's flight leaves its bounds: makes a contact with each shape there, and adds it to a list.
-    void extend(const FlyingBody& body, std::vector<ContactIndex>& added);
+    void extend(const FlyingBody& body, StepList<ContactIndex>& added);
 
 private:
     /// A shape that will leave its bounds, and the box of the rest of its path.
@@ -25,11 +26,11 @@ private:
     };
 
     Aabb sweptBoxOf(const FlyingBody& body, ProxyId proxy) const;
-    void meet(ProxyId own, ProxyId other, const Vec2& shift, std::vector<ContactIndex>& added);
+    void meet(ProxyId own, ProxyId other, const Vec2& shift, StepList<ContactIndex>& added);
 
     const ImpactStores& stores_;
     double dt_;
-    std::vector<Leaving> leaving_;
+    StepList<Leaving> leaving_;
 };
 
 }  // namespace plumb

@@ -14,9 +14,9 @@ namespace {
 
 /// Breadth first along touches and acting joints. Fixed bodies are no neighbours: else all that lies on the ground
 /// would be one island.
-std::vector<BodyIndex> islandOf(const SleepStores& stores, BodyIndex seed) {
-    std::vector<bool> seen(stores.bodies.record.size(), false);
-    std::vector<BodyIndex> island{seed};
+StepList<BodyIndex> islandOf(const SleepStores& stores, BodyIndex seed) {
+    StepList<bool> seen(stores.bodies.record.size(), false);
+    StepList<BodyIndex> island{seed};
     seen[seed] = true;
     for (std::size_t i = 0; i < island.size(); ++i) {
         forEachNeighbour(stores.bodies, stores.contacts, stores.joints, island[i], [&](BodyIndex other) {
@@ -40,7 +40,7 @@ void putContactToSleep(const SleepStores& stores, BodyIndex body, ContactIndex i
 
 /// First all bodies, then their contacts: only then is it known of which contacts both bodies sleep. What is left of
 /// the velocity is below sleepSpeed, or belongs to a body that the program puts to sleep.
-void putToSleep(const SleepStores& stores, const std::vector<BodyIndex>& island) {
+void putToSleep(const SleepStores& stores, const StepList<BodyIndex>& island) {
     BodyStore& bodies = stores.bodies;
     for (const BodyIndex body : island) {
         // A sleeper's bounds are not placed in any step: they must contain it now.
@@ -63,16 +63,16 @@ void sleepIsland(const SleepStores& stores, BodyIndex body) {
         putToSleep(stores, {body});
         return;
     }
-    const std::vector<BodyIndex> island = islandOf(stores, body);
+    const StepList<BodyIndex> island = islandOf(stores, body);
     const auto carried = [&](BodyIndex b) { return isCarried(stores.bodies, stores.contacts, stores.joints, b); };
     if (std::none_of(island.begin(), island.end(), carried)) putToSleep(stores, island);
 }
 
-std::vector<BodyIndex> sleepIslands(const SleepStores& stores, const SolverSettings& settings, double dt) {
-    std::vector<BodyIndex> sleepers;
+StepList<BodyIndex> sleepIslands(const SleepStores& stores, const SolverSettings& settings, double dt) {
+    StepList<BodyIndex> sleepers;
     if (!countStillness(stores.bodies, stores.contacts, stores.joints, settings, dt)) return sleepers;
     const IslandView view{stores.bodies, stores.contacts, stores.joints, stores.space};
-    for (const std::vector<BodyIndex>& island : findStillIslands(view, settings)) {
+    for (const StepList<BodyIndex>& island : findStillIslands(view, settings)) {
         putToSleep(stores, island);
         sleepers.insert(sleepers.end(), island.begin(), island.end());
     }

@@ -20,6 +20,7 @@
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/joints/joint_store.h>
 #include <plumb/dynamics/solver_settings.h>
+#include <plumb/math/detail/step_list.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {
@@ -38,6 +39,6 @@ struct SleepStores {
 void sleepIsland(const SleepStores& stores, BodyIndex body);
 /// Counts how long each body has been still, and puts those islands to sleep in which all bodies have been still for
 /// long enough. Returns the bodies that fell asleep.
-std::vector<BodyIndex> sleepIslands(const SleepStores& stores, const SolverSettings& settings, double dt);
+StepList<BodyIndex> sleepIslands(const SleepStores& stores, const SolverSettings& settings, double dt);
 
 }  // namespace plumb

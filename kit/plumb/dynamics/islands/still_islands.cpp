@@ -42,7 +42,7 @@ public:
     bool mayBeginAt(BodyIndex body) const { return marks_[body] == Mark::None && isReady(body) && !isBlocked(body); }
 
     /// The island of a body; empty if it stays awake.
-    std::vector<BodyIndex> islandOf(BodyIndex seed) {
+    StepList<BodyIndex> islandOf(BodyIndex seed) {
         island_.clear();
         still_ = true;
         reach(seed);
@@ -115,15 +115,15 @@ private:
 
     IslandView view_;
     double sleepTime_;
-    std::vector<Mark> marks_;
-    std::vector<BodyIndex> island_;
+    StepList<Mark> marks_;
+    StepList<BodyIndex> island_;
     BodyIndex blocker_ = noBody;  ///< the body that keeps the island awake
     double blockedFor_ = 0;       ///< for how long its bodies are not searched from [s]
     bool still_ = true;
 };
 
 /// Begins to watch the driven bodies of an island again. Returns whether there are any.
-bool watchDriven(const IslandView& view, const SolverSettings& settings, const std::vector<BodyIndex>& island) {
+bool watchDriven(const IslandView& view, const SolverSettings& settings, const StepList<BodyIndex>& island) {
     bool driven = false;
     for (const BodyIndex body : island) {
         if (!isCarried(view.bodies, view.contacts, view.joints, body) &&
@@ -138,12 +138,12 @@ bool watchDriven(const IslandView& view, const SolverSettings& settings, const s
 
 }  // namespace
 
-std::vector<std::vector<BodyIndex>> findStillIslands(const IslandView& view, const SolverSettings& settings) {
-    std::vector<std::vector<BodyIndex>> islands;
+StepList<StepList<BodyIndex>> findStillIslands(const IslandView& view, const SolverSettings& settings) {
+    StepList<StepList<BodyIndex>> islands;
     IslandSearch search(view, settings.sleepTime);
     for (const BodyIndex seed : view.bodies.awake) {
         if (!search.mayBeginAt(seed)) continue;
-        std::vector<BodyIndex> island = search.islandOf(seed);
+        StepList<BodyIndex> island = search.islandOf(seed);
         if (!island.empty() && !watchDriven(view, settings, island)) islands.push_back(std::move(island));
     }
     return islands;

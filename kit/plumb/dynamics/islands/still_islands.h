@@ -6,6 +6,7 @@
 #include <plumb/dynamics/contacts/contact_store.h>
 #include <plumb/dynamics/joints/joint_store.h>
 #include <plumb/dynamics/solver_settings.h>
+#include <plumb/math/detail/step_list.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {
@@ -21,6 +22,6 @@ struct IslandView {
 /// The islands in which all bodies have been still for SolverSettings.sleepTime, and nothing is driven or carried. The
 /// bodies that a body would wake, if it alone slept, belong to its island here, also if they do not touch it. In an
 /// island that only a drive keeps awake, the bodies that are driven are watched again from now on.
-std::vector<std::vector<BodyIndex>> findStillIslands(const IslandView& view, const SolverSettings& settings);
+StepList<StepList<BodyIndex>> findStillIslands(const IslandView& view, const SolverSettings& settings);
 
 }  // namespace plumb

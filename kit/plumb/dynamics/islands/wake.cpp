@@ -29,7 +29,7 @@ void wakeOne(BodyStore& bodies, ContactStore& contacts, JointStore& joints, Body
 /// awake, too.
 void wakeIsland(BodyStore& bodies, ContactStore& contacts, JointStore& joints, BodyIndex seed) {
     if (!bodies.canMove(seed)) return;
-    std::vector<BodyIndex> reached{seed};
+    StepList<BodyIndex> reached{seed};
     wakeOne(bodies, contacts, joints, seed);
     for (std::size_t i = 0; i < reached.size(); ++i) {
         forEachNeighbour(bodies, contacts, joints, reached[i], [&](BodyIndex other) {
@@ -45,7 +45,7 @@ void wakeIslands(BodyStore& bodies, ContactStore& contacts, JointStore& joints, 
 }
 
 void wakeNeighbours(BodyStore& bodies, ContactStore& contacts, JointStore& joints, BodyIndex body) {
-    std::vector<BodyIndex> neighbours;
+    StepList<BodyIndex> neighbours;
     forEachNeighbour(bodies, contacts, joints, body, [&](BodyIndex other) { neighbours.push_back(other); });
     wakeIslands(bodies, contacts, joints, neighbours);
 }

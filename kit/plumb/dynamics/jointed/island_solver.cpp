@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <plumb/dynamics/bodies/body_solver.h>
@@ -68,8 +69,8 @@ double turningOf(const BodyStore& bodies, const JointIsland& island) {
 
 }  // namespace
 
-std::unique_ptr<JointSolver> islandSolver() {
-    return std::make_unique<IslandSolver>();
+JointSolver* islandSolver() {
+    return new IslandSolver;
 }
 
 /// Here, so that a program which locks a body links the code of joints, and another one does not.
@@ -93,7 +94,7 @@ void IslandSolver::findIslands() {
 
 /// No island may fly while the ledger watches, which has to see all velocities before and after each half, nor while
 /// fields act, which read the records of bodies.
-std::size_t IslandSolver::begin(const JointStores& stores, std::vector<BodyIndex>& solved) {
+std::size_t IslandSolver::begin(const JointStores& stores, StepList<BodyIndex>& solved) {
     stores_ = stores;
     dt_ = stores.h * stores.settings.subSteps;
     inHalf_ = false;
@@ -112,7 +113,7 @@ std::size_t IslandSolver::begin(const JointStores& stores, std::vector<BodyIndex
     return islands_.islands.empty() ? solved.size() : sortBodies(solved);
 }
 
-std::size_t IslandSolver::sortBodies(std::vector<BodyIndex>& solved) {
+std::size_t IslandSolver::sortBodies(StepList<BodyIndex>& solved) {
     islandOf_.assign(stores_.bodies->record.size(), none);
     for (std::uint32_t i = 0; i < islands_.islands.size(); ++i)
         if (!islands_.islands[i].isSwept())
@@ -121,9 +122,13 @@ std::size_t IslandSolver::sortBodies(std::vector<BodyIndex>& solved) {
     std::erase_if(solved, [&](BodyIndex body) {
         return islandOf_[body] != none && islands_.islands[islandOf_[body]].batch >= firstFlying;
     });
-    const auto lanes =
-        std::stable_partition(solved.begin(), solved.end(), [this](BodyIndex b) { return islandOf_[b] == none; });
-    return static_cast<std::size_t>(lanes - solved.begin());
+    StepList<BodyIndex> inLanes;
+    for (const BodyIndex body : solved)
+        if (islandOf_[body] != none) inLanes.push_back(body);
+    std::erase_if(solved, [this](BodyIndex body) { return islandOf_[body] != none; });
+    const std::size_t others = solved.size();
+    solved.insert(solved.end(), inLanes.begin(), inLanes.end());
+    return others;
 }
 
 /// Where links turn fast, an island that touches nothing moves in pieces of a sub-step: contacts would not see what
@@ -147,28 +152,30 @@ void IslandSolver::choosePieces(JointIsland& island) const {
 
 /// Cuts groups of equal islands that move in as many pieces into batches, as many islands in each as there are lanes.
 /// Those that touch something come first in their group, because after contacts only they are solved again.
-void IslandSolver::cutBatches() {
-    order_.clear();
-    cut_.clear();
+StepList<std::span<JointIsland*>> IslandSolver::cutBatches(StepList<JointIsland*>& order) {
+    StepList<std::span<JointIsland*>> cut;
     for (const std::vector<std::uint32_t>& group : islands_.alike)
-        for (const std::uint32_t i : group) order_.push_back(&islands_.islands[i]);
-    std::span<JointIsland*> rest = order_;
+        for (const std::uint32_t i : group) order.push_back(&islands_.islands[i]);
+    std::span<JointIsland*> rest = order;
     for (const std::vector<std::uint32_t>& group : islands_.alike) {
         std::span<JointIsland*> left = rest.first(group.size());
         rest = rest.subspan(group.size());
-        const auto placeOf = [](const JointIsland* island) { return std::pair(island->pieces, !island->touches); };
-        const auto isBefore = [&](const JointIsland* a, const JointIsland* b) { return placeOf(a) < placeOf(b); };
-        if (!std::is_sorted(left.begin(), left.end(), isBefore)) std::stable_sort(left.begin(), left.end(), isBefore);
+        const auto placeOf = [](const JointIsland* island) {
+            return std::tuple(island->pieces, !island->touches, island);  // islands lie in one array, in their order
+        };
+        std::sort(left.begin(), left.end(),
+                  [&](const JointIsland* a, const JointIsland* b) { return placeOf(a) < placeOf(b); });
         while (!left.empty()) {
             std::size_t width = static_cast<std::size_t>(islandLanes(stores_.settings.lanes));
             const int pieces = left.front()->pieces;
             const auto alike = std::find_if(left.begin(), left.end(),
                                             [&](const JointIsland* island) { return island->pieces != pieces; });
             while (width > static_cast<std::size_t>(alike - left.begin())) width /= 2;
-            cut_.push_back(left.first(width));
+            cut.push_back(left.first(width));
             left = left.subspan(width);
         }
     }
+    return cut;
 }
 
 /// Batches that meet no contact come last: they go through the whole step one after the other, while their numbers are
@@ -178,16 +185,19 @@ void IslandSolver::loadBatches() {
     const bool mayFly = stores_.observer == nullptr && stores_.bodies->flights.empty();
     for (JointIsland& island : islands_.islands)
         if (!island.isSwept()) choosePieces(island);
-    cutBatches();
+    StepList<JointIsland*> order;
+    StepList<std::span<JointIsland*>> cut = cutBatches(order);
     const auto meets = [mayFly](const auto& some) { return !mayFly || some.front()->touches; };
-    auto flying = std::find_if_not(cut_.begin(), cut_.end(), meets);
-    if (std::find_if(flying, cut_.end(), meets) != cut_.end())
-        flying = std::stable_partition(cut_.begin(), cut_.end(), meets);
-    islands_.batchCount = cut_.size();
-    islands_.meeting = static_cast<std::size_t>(flying - cut_.begin());
-    if (islands_.batches.size() < cut_.size()) islands_.batches.resize(islands_.islands.size());
-    for (std::size_t i = 0; i < cut_.size(); ++i)
-        islands_.batches[i].load(cut_[i], *stores_.joints, *stores_.bodies, stores_.h);
+    StepList<std::span<JointIsland*>> flying;
+    for (const std::span<JointIsland*>& some : cut)
+        if (!meets(some)) flying.push_back(some);
+    std::erase_if(cut, [&](const std::span<JointIsland*>& some) { return !meets(some); });
+    islands_.meeting = cut.size();
+    cut.insert(cut.end(), flying.begin(), flying.end());
+    islands_.batchCount = cut.size();
+    if (islands_.batches.size() < cut.size()) islands_.batches.resize(islands_.islands.size());
+    for (std::size_t i = 0; i < cut.size(); ++i)
+        islands_.batches[i].load(cut[i], *stores_.joints, *stores_.bodies, stores_.h);
     islands_.sweptBatches.resize(islands_.swept.size());
     for (std::size_t i = 0; i < islands_.swept.size(); ++i) {
         JointIsland* alone = &islands_.swept[i];
@@ -197,18 +207,18 @@ void IslandSolver::loadBatches() {
 
 /// Batch by batch, so that its numbers stay in the cache: a batch of eight dolls has 180 KB. A rain of dolls took 0.6
 /// to 0.67 times as long as with all batches in each half.
-void IslandSolver::fly(FunctionRef<void(std::vector<BodyIndex>& bodies, int subStep)> move) {
+void IslandSolver::fly(FunctionRef<void(StepList<BodyIndex>& bodies, int subStep)> move) {
     for (JointBatch& batch : islands_.flyingBatches()) {
         moving_ = {&batch, 1};
-        flying_.clear();
+        StepList<BodyIndex> flying;
         for (const JointIsland* island : batch.islands())
-            flying_.insert(flying_.end(), island->bodies.begin(), island->bodies.end());
+            flying.insert(flying.end(), island->bodies.begin(), island->bodies.end());
         for (int i = 0; i < stores_.settings.subSteps; ++i) {
             for (const bool correct : {true, false}) {
                 batch.kick(*stores_.bodies, correct);
                 batch.solve(*stores_.bodies, turnOf({correct, false}));
                 batch.note(stores_.observer);
-                if (correct) move(flying_, i);
+                if (correct) move(flying, i);
             }
         }
     }
@@ -279,7 +289,7 @@ void IslandSolver::respondToContacts(const HalfStep& half) {
     inHalf_ = false;
 }
 
-void IslandSolver::end(FunctionRef<void(BodyIndex, const BodyMove&)> store) {
+void IslandSolver::end(FunctionRef<void(BodyIndex, const BodyMove*)> store) {
     for (JointBatch& batch : std::span(islands_.batches).first(islands_.batchCount)) {
         batch.pull(*stores_.bodies);
         batch.store(*stores_.joints, *stores_.bodies);
@@ -287,9 +297,14 @@ void IslandSolver::end(FunctionRef<void(BodyIndex, const BodyMove&)> store) {
     for (JointBatch& batch : islands_.sweptBatches) batch.store(*stores_.joints, *stores_.bodies);
     for (const JointIsland& island : islands_.islands) {
         island.hinges.addLoads(*stores_.joints);
-        if (!island.isSwept())
-            for (std::size_t node = 0; node < island.bodies.size(); ++node)
-                store(island.bodies[node], moveOf(island.batch->numbers, node, island.lane));
+        for (std::size_t node = 0; node < island.bodies.size(); ++node) {
+            if (island.isSwept()) {
+                store(island.bodies[node], nullptr);
+                continue;
+            }
+            const BodyMove move = moveOf(island.batch->numbers, node, island.lane);
+            store(island.bodies[node], &move);
+        }
     }
 }
 

@@ -15,12 +15,12 @@ class IslandSolver final : public JointSolver {
 public:
     std::unique_ptr<JointSolver> copy() const override { return std::make_unique<IslandSolver>(*this); }
 
-    std::size_t begin(const JointStores& stores, std::vector<BodyIndex>& solved) override;
-    void fly(FunctionRef<void(std::vector<BodyIndex>& bodies, int subStep)> move) override;
+    std::size_t begin(const JointStores& stores, StepList<BodyIndex>& solved) override;
+    void fly(FunctionRef<void(StepList<BodyIndex>& bodies, int subStep)> move) override;
     void solve(const HalfStep& half) override;
     void respondToContacts(const HalfStep& half) override;
     void move() override;
-    void end(FunctionRef<void(BodyIndex, const BodyMove&)> store) override;
+    void end(FunctionRef<void(BodyIndex, const BodyMove*)> store) override;
 
     std::span<JointIsland> islands() override { return islands_.islands; }
     JointIsland* islandOf(BodyIndex body) override;
@@ -36,9 +36,9 @@ public:
 private:
     void findIslands();
     void choosePieces(JointIsland& island) const;
-    void cutBatches();
+    StepList<std::span<JointIsland*>> cutBatches(StepList<JointIsland*>& order);
     void loadBatches();
-    std::size_t sortBodies(std::vector<BodyIndex>& solved);
+    std::size_t sortBodies(StepList<BodyIndex>& solved);
     void sweep(const HalfStep& half);
     IslandTurn turnOf(const HalfStep& half) const;
     template <class Change>
@@ -49,17 +49,14 @@ private:
     // Of the present step:
     JointStores stores_;
     double dt_ = 0;
-    std::vector<JointIsland*> order_;           ///< in which they lie in batches
-    std::vector<std::span<JointIsland*>> cut_;  ///< the batches' parts of it
-    std::span<JointBatch> moving_;              ///< batches that move with the next call
-    std::vector<std::uint32_t> islandOf_;       ///< of each body; none: in no island, or in a swept one
-    std::vector<BodyIndex> flying_;             ///< bodies of a batch
+    std::span<JointBatch> moving_;         ///< batches that move with the next call
+    std::vector<std::uint32_t> islandOf_;  ///< of each body; none: in no island, or in a swept one
     JointBounces bounces_;
     JointedContacts contacts_;
     bool inHalf_ = false;  ///< from solve to respondToContacts
 };
 
-/// Makes a joint solver: see Lock and World::join.
-std::unique_ptr<JointSolver> islandSolver();
+/// Makes a joint solver, which its caller owns (see Lock).
+JointSolver* islandSolver();
 
 }  // namespace plumb

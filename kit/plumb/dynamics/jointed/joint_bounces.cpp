@@ -3,9 +3,12 @@
 
 #include <algorithm>
 
+#include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/contacts/contact_point.h>
+#include <plumb/dynamics/contacts/lanes/single_lane.h>
 #include <plumb/dynamics/joints/joint_rows.h>
 #include <plumb/impact/detail/bounces.h>
+#include <plumb/math/detail/disjoint_sets.h>
 
 namespace plumb {
 
@@ -52,15 +55,15 @@ void JointBounces::take(const JointStores& stores, std::span<const JointIsland> 
             found_.push_back({bodies.canMove(contact.bodyA) ? contact.bodyA : contact.bodyB, index});
     });
     if (found_.empty()) return;
-    connected_.reset(bodies.record.size());
+    DisjointSets connected(bodies.record.size());
     for (const JointIsland& island : islands)
-        for (const BodyIndex body : island.bodies) connected_.unite(body, island.bodies.front());
+        for (const BodyIndex body : island.bodies) connected.unite(body, island.bodies.front());
     for (const Bounce& one : found_) {
         const ContactRecord& contact = (*stores.contacts)[one.contact];
         if (bodies.canMove(contact.bodyA) && bodies.canMove(contact.bodyB))
-            connected_.unite(contact.bodyA, contact.bodyB);
+            connected.unite(contact.bodyA, contact.bodyB);
     }
-    for (Bounce& one : found_) one.group = connected_.of(one.group);
+    for (Bounce& one : found_) one.group = connected.of(one.group);
     std::sort(found_.begin(), found_.end());
     auto end = found_.begin();
     forEachGroup(found_, [&](std::span<Bounce> group) {

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <plumb/dynamics/jointed/joint_solver.h>
-#include <plumb/math/detail/disjoint_sets.h>
 
 namespace plumb {
 
@@ -44,7 +43,6 @@ private:
     static void bounce(const JointStores& stores, JointSolver& joints, const Point& point);
 
     std::vector<Bounce> found_;  ///< one group after the other
-    DisjointSets connected_{0};
 };
 
 }  // namespace plumb

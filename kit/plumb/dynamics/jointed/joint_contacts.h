@@ -15,6 +15,7 @@
 #pragma once
 #include <vector>
 
+#include <plumb/dynamics/contacts/lanes/single_lane.h>
 #include <plumb/dynamics/jointed/joint_solver.h>
 
 namespace plumb {

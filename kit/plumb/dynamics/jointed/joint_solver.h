@@ -9,12 +9,13 @@
 #include <span>
 #include <vector>
 
-#include <plumb/dynamics/bodies/meeting.h>
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 #include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/solver_settings.h>
+#include <plumb/impact/detail/meeting.h>
+#include <plumb/math/detail/step_list.h>
 #include <plumb/math/function_ref.h>
 
 namespace plumb {
@@ -45,9 +46,9 @@ public:
     /// At the start of a step, also if nothing is solved: finds the islands again if the joints have changed. Sorts the
     /// bodies that are solved: those that the islands' own lanes kick and move come last, and those of islands that fly
     /// go. Returns the number of the others.
-    virtual std::size_t begin(const JointStores&, std::vector<BodyIndex>& solved) { return solved.size(); }
+    virtual std::size_t begin(const JointStores&, StepList<BodyIndex>& solved) { return solved.size(); }
     /// Takes the islands that touch nothing through the whole step. move: calls this solver's move, and what follows.
-    virtual void fly(FunctionRef<void(std::vector<BodyIndex>& bodies, int subStep)>) {}
+    virtual void fly(FunctionRef<void(StepList<BodyIndex>& bodies, int subStep)>) {}
     /// In each half: kicks the bodies in its lanes, solves the joints, then the bounces of jointed bodies, from
     /// velocities with which joints hold, and lets contacts see the bodies with their masses.
     virtual void solve(const HalfStep&) {}
@@ -55,8 +56,9 @@ public:
     virtual void respondToContacts(const HalfStep&) {}
     /// After all bodies have moved by a sub-step: moves those in its lanes.
     virtual void move() {}
-    /// At the end of the step: stores the loads of the joints. store: called for all bodies in lanes.
-    virtual void end(FunctionRef<void(BodyIndex, const BodyMove&)>) {}
+    /// At the end of the step: stores the loads of the joints. store: called for all bodies of islands; without a move
+    /// for those whose records have it.
+    virtual void end(FunctionRef<void(BodyIndex, const BodyMove*)>) {}
 
     // For those who look at an island in a sub-step.
     virtual std::span<JointIsland> islands() { return {}; }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <plumb/dynamics/joints/joint_measure.h>
+#include <plumb/math/detail/step_list.h>
 #include <plumb/math/trig.h>
 
 namespace plumb {
@@ -38,13 +39,13 @@ bool onlyTurns(const JointIsland& island) {
 
 /// Calls visit(joint, its form) for each joint with springs.
 template <class Visit>
-void forEachSprung(const std::vector<JointIsland*>& islands, Visit&& visit) {
+void forEachSprung(const StepList<JointIsland*>& islands, Visit&& visit) {
     for (const JointIsland* island : islands)
         for (const std::uint32_t j : island->sprung) visit(island->joints[j], island->laid[j].form);
 }
 
-void shareAmong(const std::vector<JointIsland*>& islands, JointStore& store, const BodyStore& bodies, double h) {
-    std::vector<double> load(bodies.record.size(), 0.0);  // of each body: sum over its springs of k w [1/s^2]
+void shareAmong(const StepList<JointIsland*>& islands, JointStore& store, const BodyStore& bodies, double h) {
+    StepList<double> load(bodies.record.size(), 0.0);  // of each body: sum over its springs of k w [1/s^2]
     forEachSprung(islands, [&](JointIndex joint, const JointForm& form) {
         const SpringLoad springs = springLoadOf(form, bodies);
         const std::array<BodyIndex, 2> ends{store[joint].bodyA, store[joint].bodyB};
@@ -73,7 +74,7 @@ double springEnergyOf(const SpringLoad& load) {
 }  // namespace
 
 void shareSprings(JointIslands& found, JointStore& store, const BodyStore& bodies, double h) {
-    std::vector<JointIsland*> islands;
+    StepList<JointIsland*> islands;
     for (JointIsland& island : found.islands) {
         if (island.sprung.empty() || island.shared == h) continue;
         islands.push_back(&island);

@@ -118,7 +118,7 @@ void StepAudit::beginSolver() {
 /// Repeats what kickBodies will do, without the warm start: start_ is the velocity before the first impulse of this
 /// half, unforced_ before its forces. Damping by the closed form shortens the velocity and weakens the pull; both are
 /// its work.
-void StepAudit::beginHalf(const std::vector<BodyIndex>& solved) {
+void StepAudit::beginHalf(std::span<const BodyIndex> solved) {
     const double half = 0.5 * bodies_.lastStep / bodies_.subSteps;
     start_ = unforced_ = bodies_.velocity;
     for (const BodyIndex body : solved) {
@@ -294,7 +294,7 @@ void StepAudit::endBounces() {
 }
 
 /// The work of a force is that along the real path, and its momentum that of the whole step.
-void StepAudit::endSolver(const std::vector<BodyIndex>& solved, double dt) {
+void StepAudit::endSolver(std::span<const BodyIndex> solved, double dt) {
     for (const BodyIndex body : solved) {
         const BodyRecord& record = bodies_.record[body];
         if (!bodies_.isMovedBy(body, MovedBy::Solver) || record.type != BodyType::Dynamic) continue;

@@ -28,7 +28,7 @@ public:
     void noteFieldFlight(std::uint32_t flight) override;
     void noteImpact(double friction, double drivers, double bounce, const Vec2& ground) override;
     void beginSolver() override;
-    void beginHalf(const std::vector<BodyIndex>& solved) override;
+    void beginHalf(std::span<const BodyIndex> solved) override;
     void noteFieldKick(BodyIndex body, const FieldKick& kick, const Vec2& base) override;
     void noteRows(const JointRows& rows, const Vec3& impulses, const Vec3& after, const Vec3& slopes) override;
     void noteRowImpact(const JointRows& rows, double impulse) override;
@@ -36,7 +36,7 @@ public:
     void endHalf() override;
     void beginBounces() override;
     void endBounces() override;
-    void endSolver(const std::vector<BodyIndex>& solved, double dt) override;
+    void endSolver(std::span<const BodyIndex> solved, double dt) override;
 
 private:
     struct Lane;

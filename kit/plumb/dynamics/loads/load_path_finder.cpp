@@ -48,7 +48,7 @@ constexpr int mostSweeps = 60;                        ///< at most, to find the 
 constexpr std::size_t mostBodies = 8, mostRows = 64;  ///< of a path
 
 template <class T>
-bool has(const std::vector<T>& some, T one) {
+bool has(const StepList<T>& some, T one) {
     return std::find(some.begin(), some.end(), one) != some.end();
 }
 
@@ -83,7 +83,8 @@ bool LoadPathFinder::isStart(const Start& start) const {
 /// the bodies finds the range of masses, and only if it is wide, the contacts of the fewer side are asked, as of one
 /// heavy body among thousands of light ones. Sorted by shapes, so that the order of slots, which depends on what is far
 /// away, does not matter.
-std::vector<LoadPathFinder::Start> LoadPathFinder::startsOf(std::vector<BodyIndex> solved) const {
+StepList<LoadPathFinder::Start> LoadPathFinder::startsOf(std::span<const BodyIndex> all) const {
+    StepList<BodyIndex> solved(all.begin(), all.end());
     std::erase_if(solved, [&](BodyIndex body) { return bodies_.links[body].actingJoints > 0; });
     float least = std::numeric_limits<float>::infinity(), most = 0;
     for (const BodyIndex body : solved) {
@@ -91,9 +92,9 @@ std::vector<LoadPathFinder::Start> LoadPathFinder::startsOf(std::vector<BodyInde
         if (inverseMass > 0) least = std::min(least, inverseMass);
         most = std::max(most, inverseMass);
     }
-    std::vector<Start> starts;
+    StepList<Start> starts;
     if (!(most >= hitRatio * least)) return starts;
-    std::vector<BodyIndex> heavy, light;  // all that may be: it is enough to ask the contacts of the fewer
+    StepList<BodyIndex> heavy, light;  // all that may be: it is enough to ask the contacts of the fewer
     for (const BodyIndex body : solved) {
         const float inverseMass = bodies_.velocity[body].inverseMass;
         if (inverseMass > 0 && hitRatio * inverseMass <= most) heavy.push_back(body);
@@ -114,7 +115,7 @@ std::vector<LoadPathFinder::Start> LoadPathFinder::startsOf(std::vector<BodyInde
 
 /// Leaves out the starts in crowds: the lanes solve their contacts as they solve all others. O(contacts), but only
 /// where there are so many starts at all.
-void LoadPathFinder::leaveOutCrowds(std::vector<Start>& starts, const std::vector<BodyIndex>& solved) const {
+void LoadPathFinder::leaveOutCrowds(StepList<Start>& starts, std::span<const BodyIndex> solved) const {
     if (starts.size() < crowd) return;
     DisjointSets touching(bodies_.record.size());
     for (const BodyIndex body : solved)
@@ -123,15 +124,15 @@ void LoadPathFinder::leaveOutCrowds(std::vector<Start>& starts, const std::vecto
             if (contacts_[index].isSolved() && bodies_.isDynamic(body) && bodies_.isDynamic(other))
                 touching.unite(body, other);
         });
-    std::unordered_map<BodyIndex, std::uint32_t> sizes;
+    StepMap<BodyIndex, std::uint32_t> sizes;
     for (const Start& start : starts) ++sizes[touching.of(start.heavy)];
     std::erase_if(starts, [&](const Start& start) { return sizes[touching.of(start.heavy)] >= crowd; });
 }
 
 /// Each point of a start has a path of its own, because the two ends of a plank may be held by different bodies.
 /// pathOf_ keeps the first path that may use a contact, so that each contact belongs to one group.
-void LoadPathFinder::findAll(const std::vector<BodyIndex>& solved) {
-    std::vector<Start> starts = startsOf(solved);
+void LoadPathFinder::findAll(std::span<const BodyIndex> solved) {
+    StepList<Start> starts = startsOf(solved);
     leaveOutCrowds(starts, solved);
     for (const Start& start : starts) {
         const std::uint32_t contact = placeOf(start.contact);
@@ -160,7 +161,7 @@ void LoadPathFinder::group() {
     DisjointSets bodies(bodies_.record.size());
     for (const LoadPath& path : list_.paths)
         for (const LoadEffect& e : path.effects) bodies.unite(path.heavy, e.body);
-    std::unordered_map<BodyIndex, std::size_t> groupOf;
+    StepMap<BodyIndex, std::size_t> groupOf;
     for (std::uint32_t i = 0; i < list_.paths.size(); ++i) {
         const LoadPath& path = list_.paths[i];
         const auto [at, isNew] = groupOf.emplace(bodies.of(path.heavy), list_.groups.size());

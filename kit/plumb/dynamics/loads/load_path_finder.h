@@ -5,11 +5,11 @@
 // side take shares of the load, so that the body stays at rest, as well as it can. If they belong to a light body
 // again, it passes its share on in the same way.
 #pragma once
-#include <unordered_map>
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_point.h>
-#include <plumb/dynamics/contacts/lanes/contact_solver.h>
+#include <plumb/dynamics/contacts/lanes/single_lane.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
@@ -45,8 +45,8 @@ struct LoadEffect : PointAxis {
 
 struct LoadPath {
     BodyIndex heavy = noBody, light = noBody;
-    std::vector<LoadRow> rows;  ///< the first one is where the load enters
-    std::vector<LoadEffect> effects;
+    StepList<LoadRow> rows;  ///< the first one is where the load enters
+    StepList<LoadEffect> effects;
 
     /// By how much a unit of load changes the speeds at the rows, by their shares [1/kg].
     float inverseMass(const BodyStore& bodies) const;
@@ -54,14 +54,14 @@ struct LoadPath {
 
 /// Paths that share bodies, and all contacts of the light ones among these; as places in a LoadPathList.
 struct LoadGroup {
-    std::vector<std::uint32_t> paths, contacts;
+    StepList<std::uint32_t> paths, contacts;
     float ratio = 0;  ///< the largest, of a heavy body's mass to that of a body on its path [-]
 };
 
 struct LoadPathList {
-    std::vector<LoadedContact> contacts;
-    std::vector<LoadPath> paths;
-    std::vector<LoadGroup> groups;
+    StepList<LoadedContact> contacts;
+    StepList<LoadPath> paths;
+    StepList<LoadGroup> groups;
 };
 
 class LoadPathFinder {
@@ -70,7 +70,7 @@ public:
         : list_(list), graph_(graph), contacts_(contacts), bodies_(bodies) {}
 
     /// Finds all paths of this step. solved: the bodies that the solver moves.
-    void findAll(const std::vector<BodyIndex>& solved);
+    void findAll(std::span<const BodyIndex> solved);
     /// Finds a path anew, only through points that carry load at present. isRelax: the impulses before this
     /// half still count.
     void findAgain(LoadPath& path, bool isRelax);
@@ -88,9 +88,9 @@ private:
         BodyIndex other;
     };
 
-    std::vector<Start> startsOf(std::vector<BodyIndex> solved) const;
+    StepList<Start> startsOf(std::span<const BodyIndex> all) const;
     bool isStart(const Start& start) const;
-    void leaveOutCrowds(std::vector<Start>& starts, const std::vector<BodyIndex>& solved) const;
+    void leaveOutCrowds(StepList<Start>& starts, std::span<const BodyIndex> solved) const;
     void group();
     std::uint32_t placeOf(ContactIndex contact);
     bool follow(LoadPath& path, const LoadRow& load);
@@ -106,14 +106,14 @@ private:
     ContactGraph& graph_;
     const ContactStore& contacts_;
     const BodyStore& bodies_;
-    std::unordered_map<ContactIndex, std::uint32_t> places_;  ///< of contacts in the list
-    std::vector<std::uint32_t> pathOf_;  ///< for each contact in the list: the first path that may use it, or none
+    StepMap<ContactIndex, std::uint32_t> places_;  ///< of contacts in the list
+    StepList<std::uint32_t> pathOf_;  ///< for each contact in the list: the first path that may use it, or none
     bool onlyLoaded_ = false, isRelax_ = false;
 
     // Of the path that is followed:
-    std::vector<BodyIndex> loaded_, passed_;  ///< bodies that carry the load; those that need not do so any more
-    std::vector<std::uint32_t> seen_;         ///< contacts of the loaded bodies, as places in the list
-    std::vector<Support> supports_;           ///< of a loaded body
+    StepList<BodyIndex> loaded_, passed_;  ///< bodies that carry the load; those that need not do so any more
+    StepList<std::uint32_t> seen_;         ///< contacts of the loaded bodies, as places in the list
+    StepList<Support> supports_;           ///< of a loaded body
 };
 
 }  // namespace plumb

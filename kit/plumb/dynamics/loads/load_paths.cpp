@@ -28,7 +28,7 @@ float lesser(float a, float b) {
 }  // namespace
 
 LoadPaths::LoadPaths(ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies,
-                     const std::vector<BodyIndex>& solved, const ContactPasses& passes)
+                     std::span<const BodyIndex> solved, const ContactPasses& passes)
     : bodies_(bodies), passes_(passes), finder_(list_, graph, contacts, bodies) {
     finder_.findAll(solved);
     hidden_.resize(list_.contacts.size());

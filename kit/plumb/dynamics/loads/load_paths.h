@@ -26,8 +26,8 @@ class LoadPaths {
 public:
     /// Finds the paths of this step. solved: the bodies that the solver moves.
 
-    LoadPaths(ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies,
-              const std::vector<BodyIndex>& solved, const ContactPasses& passes);
+    LoadPaths(ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies, std::span<const BodyIndex> solved,
+              const ContactPasses& passes);
 
     /// Before ContactSolver::solve or relax: hides the contacts from it.
     void begin();
@@ -69,7 +69,7 @@ private:
     ContactPasses passes_;
     LoadPathList list_;
     LoadPathFinder finder_;
-    std::vector<Hidden> hidden_;  ///< parallel to the list's contacts
+    StepList<Hidden> hidden_;  ///< parallel to the list's contacts
 };
 
 }  // namespace plumb

@@ -53,7 +53,7 @@ public:
           contacts_(contacts),
           bodies_(bodies),
           dt_(dt),
-          overlaps_(contacts.overlaps),
+          overlaps_(contacts.overlaps.begin(), contacts.overlaps.end()),
           states_(bodies.record.size(), State::Unknown),
           shifts_(bodies.velocity.size()) {
         std::sort(overlaps_.begin(), overlaps_.end(), before);
@@ -72,7 +72,7 @@ public:
     }
 
     /// The bodies that have a shift, perhaps of zero.
-    const std::vector<BodyIndex>& touched() const { return touched_; }
+    const StepList<BodyIndex>& touched() const { return touched_; }
     /// Per second.
     const SolverVelocity& of(BodyIndex body) const { return shifts_[body]; }
 
@@ -108,7 +108,7 @@ private:
 
     /// Adds the contacts of bodies that began to push, in the order in which contacts are solved.
     void addContacts() {
-        std::vector<std::pair<Place, ContactIndex>> order;
+        StepList<std::pair<Place, ContactIndex>> order;
         for (const BodyIndex body : std::exchange(pushing_, {})) {
             states_[body] = State::Added;
             forEachContact(bodies_, contacts_, body, [&](ContactIndex index) {
@@ -148,11 +148,11 @@ private:
     const ContactStore& contacts_;
     const BodyStore& bodies_;
     double dt_;
-    std::vector<DeepContact> overlaps_;  ///< sorted by contact
-    std::vector<State> states_;
-    std::vector<SolverVelocity> shifts_;
-    std::vector<BodyIndex> touched_, pushing_;
-    std::vector<ContactBatch> batches_;
+    StepList<DeepContact> overlaps_;  ///< sorted by contact
+    StepList<State> states_;
+    StepList<SolverVelocity> shifts_;
+    StepList<BodyIndex> touched_, pushing_;
+    StepList<ContactBatch> batches_;
     std::size_t count_ = 0;  ///< of contacts in the batches
 };
 

@@ -34,10 +34,9 @@ WallImpact solveWallImpact(const WallView& view, const WallHit& hit, const BodyM
     contact.proxyA = std::min(hit.own, hit.wall);
     contact.proxyB = std::max(hit.own, hit.wall);
     mixMaterials(view.space, contact);
-    const ImpactLaw law{contact.restitution, contact.friction, static_cast<double>(contact.surfaceSpeed)};
     const double resting =
         restingSpeed(view.bodies, view.space[hit.own].owner, view.space[hit.wall].owner, impact.normal);
-    static_cast<Meeting&>(impact) = solveMeeting({points, count}, impact.normal, law, resting, bodies);
+    static_cast<Meeting&>(impact) = solveMeeting({points, count}, impact.normal, impactLawOf(contact), resting, bodies);
     return impact;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What happens where a body meets a wall, and which contact and which events does it leave?
 #pragma once
-#include <plumb/dynamics/bodies/meeting.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/dynamics/meetings/wall_search.h>
+#include <plumb/impact/detail/meeting.h>
 
 namespace plumb {
 

@@ -55,6 +55,7 @@ public:
         const double start = separationAt(0);
         // A body that is deeper already at the start, as under a heavy load, is stopped if it goes deeper.
         limit_ = std::min(skin - deep_, start - noticeable);
+        lost_ = limit_ - separationAt(1);
         crosses_ = timeOfApproach(wall_, moving_, limit_, 0);
         if (crosses_ && start > skin + noticeable) touches_ = timeOfApproach(wall_, moving_, skin, 0);
     }
@@ -63,7 +64,7 @@ public:
         const int number = tried_++;
         if (number == 0 && touches_) return atPart(*touches_);
         if (number > (touches_ ? 1 : 0) && crosses_) {
-            limit_ -= 0.5 * deep_;
+            limit_ -= std::max(0.5 * deep_, lost_ / mostDepths);
             crosses_ = timeOfApproach(wall_, moving_, limit_, *crosses_);
         }
         return crosses_ && number < mostDepths ? atPart(*crosses_) : std::nullopt;
@@ -78,7 +79,7 @@ private:
 
     RayPart part_;
     SweptShape wall_, moving_;
-    double deep_ = 0, limit_ = 0;
+    double deep_ = 0, limit_ = 0, lost_ = 0;
     std::optional<double> touches_, crosses_;
     int tried_ = 0;
 };

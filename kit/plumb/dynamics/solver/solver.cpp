@@ -41,15 +41,15 @@ bool mayPass(const BodyStore& bodies, BodyIndex body) {
 }
 
 /// To a multiple of the lanes, with slot 0, which never moves.
-void fillUp(std::vector<BodyIndex>& bodies) {
+void fillUp(StepList<BodyIndex>& bodies) {
     while (bodies.size() % batchLanes != 0) bodies.push_back(noBody);
 }
 
 /// The bodies that are solved: dynamic bodies with a constraint, or so fast that they could pass a wall that no contact
 /// predicts, and kinematic bodies, whose motion their contacts need. All others only fly, and moveFreeBodies places
 /// them exactly. O(awake bodies).
-std::vector<BodyIndex> solvedBodies(const BodyStore& bodies) {
-    std::vector<BodyIndex> solved;
+StepList<BodyIndex> solvedBodies(const BodyStore& bodies) {
+    StepList<BodyIndex> solved;
     for (const BodyIndex body : bodies.awake)
         if (bodies.isConstrained(body) || bodies.record[body].type == BodyType::Kinematic || mayPass(bodies, body))
             solved.push_back(body);
@@ -109,7 +109,7 @@ public:
         if (solved_.empty() && joints_.islands().empty()) return;
         fillUp(solved_);
         fields_.begin(stores_.fields, bodies_, stores_.space, h_, observer_);
-        joints_.fly([this](std::vector<BodyIndex>& bodies, int subStep) {
+        joints_.fly([this](StepList<BodyIndex>& bodies, int subStep) {
             fillUp(bodies);
             move(bodies, subStep);
         });
@@ -127,7 +127,7 @@ public:
         if (observer_ != nullptr) observer_->endSolver(solved_, dt);
     }
 
-    const std::vector<WallImpact>& wallImpacts() const { return impacts_; }
+    const StepList<WallImpact>& wallImpacts() const { return impacts_; }
 
 private:
     /// The sub-step: kick, solve, drift, kick, relax. Forces act in two halves around the move, as in velocity Verlet,
@@ -159,7 +159,7 @@ private:
     /// Moves bodies by a sub-step: batches of islands move their own bodies in doubles. What crosses a wall on its path
     /// is put back to it; that comes last, because it needs the places of all bodies of a machine. number: of the
     /// sub-step.
-    void move(const std::vector<BodyIndex>& bodies, int number) {
+    void move(std::span<const BodyIndex> bodies, int number) {
         const float h = static_cast<float>(h_);
         const std::size_t fast = bodySolver_.move(bodies.data(), bodies.size(), solverBodies_, h, fast_.data());
         joints_.move();
@@ -221,8 +221,8 @@ private:
     }
 
     /// For each body, by its slot: 1 if a contact or a wall gave it an impulse, else 0. O(contacts + bodies).
-    std::vector<std::uint8_t> pushedBodies() const {
-        std::vector<std::uint8_t> pushed(bodies_.record.size(), 0);
+    StepList<std::uint8_t> pushedBodies() const {
+        StepList<std::uint8_t> pushed(bodies_.record.size(), 0);
         for (const Slice& slice : slices_) {
             for (std::size_t i = 0; i < slice.contacts; ++i) {
                 const ContactBatch& batch = slice.batches[i / batchLanes];
@@ -240,12 +240,10 @@ private:
     /// wall at one millimetre without touching it stays on its closed form"
     void storeBodies() {
         impacts_ = walls_.impacts();
-        const std::vector<std::uint8_t> pushed = pushedBodies();
-        for (const BodyIndex body : std::span(solved_).first(outOfLanes_)) {
-            const bool isSolved = pushed[body] != 0 || bodies_.links[body].actingJoints > 0;
-            if (isSolved && bodies_.velocity[body].inverseMass > 0) storeBody(body, moveOf(body));
-        }
-        joints_.end([this](BodyIndex body, const BodyMove& move) { storeBody(body, move); });
+        const StepList<std::uint8_t> pushed = pushedBodies();
+        joints_.end([this](BodyIndex body, const BodyMove* move) { storeBody(body, move ? *move : moveOf(body)); });
+        for (const BodyIndex body : std::span(solved_).first(outOfLanes_))
+            if (pushed[body] != 0 && bodies_.velocity[body].inverseMass > 0) storeBody(body, moveOf(body));
     }
 
     /// Of a body that is not in lanes; spin = w / k, as velocities are stored with w = omega k (see SolverVelocity).
@@ -286,14 +284,14 @@ private:
     double h_;  ///< of the sub-step [s]
     const BodySolver& bodySolver_;
     SolverBodies solverBodies_;
-    std::vector<BodyIndex> solved_;
+    StepList<BodyIndex> solved_;
     std::size_t outOfLanes_ = 0;  ///< number of those before the bodies in lanes of islands, and the padding
     ContactPasses passes_;
-    std::vector<Slice> slices_;
+    StepList<Slice> slices_;
     std::optional<LoadPaths> loads_;
     WallStops walls_;
-    std::vector<FastBody> fast_;
-    std::vector<WallImpact> impacts_;
+    StepList<FastBody> fast_;
+    StepList<WallImpact> impacts_;
 };
 
 }  // namespace

@@ -37,7 +37,7 @@ void WorldEvents::add(const TouchEvents& touches, const BodyStore& bodies, const
     addEnds(touches.ends, bodies, space);
 }
 
-void WorldEvents::addEnds(const std::vector<TouchEnd>& touchEnds, const BodyStore& bodies, const Space& space) {
+void WorldEvents::addEnds(std::span<const TouchEnd> touchEnds, const BodyStore& bodies, const Space& space) {
     for (const TouchEnd& end : touchEnds)
         ends.push_back({idOfShape(bodies, space[end.proxyA]), idOfShape(bodies, space[end.proxyB])});
 }

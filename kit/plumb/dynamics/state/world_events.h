@@ -25,7 +25,7 @@ struct WorldEvents {
     /// At the start of a step: removes all events except the ends since the last step.
     void clear();
     void add(const TouchEvents& touches, const BodyStore& bodies, const Space& space, const TileStore& tiles);
-    void addEnds(const std::vector<TouchEnd>& touchEnds, const BodyStore& bodies, const Space& space);
+    void addEnds(std::span<const TouchEnd> touchEnds, const BodyStore& bodies, const Space& space);
 };
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <plumb/dynamics/bodies/body_solver.h>
 #include <plumb/dynamics/bodies/solver_velocity.h>
@@ -75,12 +76,12 @@ WallStops::Mover WallStops::moverOf(BodyIndex body) const {
 
 /// Islands that meet no contact go through the whole step before all others, so impacts are not found in the order of
 /// time.
-std::vector<WallImpact> WallStops::impacts() const {
-    std::vector<Impact> sorted = impacts_;
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Impact& a, const Impact& b) {
-        return std::pair(a.start, a.order) < std::pair(b.start, b.order);
+StepList<WallImpact> WallStops::impacts() const {
+    StepList<Impact> sorted = impacts_;
+    std::sort(sorted.begin(), sorted.end(), [](const Impact& a, const Impact& b) {
+        return std::tuple(a.start, a.order, a.found) < std::tuple(b.start, b.order, b.found);
     });
-    std::vector<WallImpact> impacts;
+    StepList<WallImpact> impacts;
     for (const Impact& one : sorted) impacts.push_back(one.impact);
     return impacts;
 }
@@ -270,8 +271,8 @@ void WallStops::solve(Group& group, const Hit& hit, double duration) {
     const WallImpact impact = solveWallImpact(view_, hit.at, wallMotionAt(hit.at, duration), hit.place, both);
     if (impact.normalImpulse == 0) return;
     const JointIsland* first = stores_.joints.islands().data();
-    impacts_.push_back(
-        {start_, group.island == nullptr ? 0 : static_cast<std::uint32_t>(group.island - first + 1), impact});
+    const auto order = group.island == nullptr ? 0 : static_cast<std::uint32_t>(group.island - first + 1);
+    impacts_.push_back({start_, order, static_cast<std::uint32_t>(impacts_.size()), impact});
 }
 
 /// Changes the velocities so that the joints hold after a time. At very high speeds that may add energy: then the

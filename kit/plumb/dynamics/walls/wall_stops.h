@@ -16,6 +16,7 @@
 #include <plumb/dynamics/bodies/body_solver.h>
 #include <plumb/dynamics/jointed/joint_solver.h>
 #include <plumb/dynamics/meetings/wall_impact.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
@@ -35,7 +36,7 @@ public:
     /// Call this after the bodies have moved in a sub-step that began at this time since the step's start [s].
     void afterMove(std::span<const FastBody> fast, double start);
     /// The impacts so far, in the order of sub-steps, in each by the numbers of islands: bodies alone come first.
-    std::vector<WallImpact> impacts() const;
+    StepList<WallImpact> impacts() const;
 
 private:
     /// A body, and its place at the time from which it moves on.
@@ -47,7 +48,7 @@ private:
     /// What moves as one: the bodies of a joint island, or a body alone.
     struct Group {
         JointIsland* island = nullptr;
-        std::vector<Mover> movers;
+        StepList<Mover> movers;
         double energy = 0;  ///< of an island: kinetic, after the sub-step's move [J]
     };
     struct Hit {
@@ -83,19 +84,19 @@ private:
     WallView view_;
     double h_, start_ = 0;
     enum class Check : std::uint8_t { Unknown, Clear, Needed };
-    std::vector<Check> checks_;           ///< of each island, in this sub-step
-    std::vector<Aabb> noWalls_;           ///< of each island, in this step: a box that no wall reaches into
-    std::vector<std::uint32_t> groupOf_;  ///< of each body, in this sub-step; none if it is not added
-    std::vector<BodyIndex> added_;        ///< those, in the order in which they were added
-    std::vector<Group> groups_;           ///< islands, in this sub-step
-    Group alone_;                         ///< its one body changes from call to call
+    StepList<Check> checks_;           ///< of each island, in this sub-step
+    StepList<Aabb> noWalls_;           ///< of each island, in this step: a box that no wall reaches into
+    StepList<std::uint32_t> groupOf_;  ///< of each body, in this sub-step; none if it is not added
+    StepList<BodyIndex> added_;        ///< those, in the order in which they were added
+    StepList<Group> groups_;           ///< islands, in this sub-step
+    Group alone_;                      ///< its one body changes from call to call
     struct Impact {
         double start = 0;  ///< of its sub-step [s]
-        std::uint32_t order = 0;
+        std::uint32_t order = 0, found = 0;
         WallImpact impact;
     };
-    std::vector<Impact> impacts_;  ///< as they were found
-    std::vector<Vec3> before_;     ///< velocities of a group
+    StepList<Impact> impacts_;  ///< as they were found
+    StepList<Vec3> before_;     ///< velocities of a group
 };
 
 }  // namespace plumb

@@ -7,17 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <vector>
+
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
 /// Sets of the numbers from 0 on; each set is named by its lowest number.
 class DisjointSets {
 public:
-    explicit DisjointSets(std::size_t count) { reset(count); }
-    /// Begins anew: none are connected.
-    void reset(std::size_t count) {
-        parent_.resize(count);
+    explicit DisjointSets(std::size_t count) : parent_(count) {
         std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
     }
     std::uint32_t of(std::uint32_t each) {
@@ -27,7 +25,7 @@ public:
     void unite(std::uint32_t a, std::uint32_t b) { parent_[std::max(of(a), of(b))] = std::min(of(a), of(b)); }
 
 private:
-    std::vector<std::uint32_t> parent_;
+    StepList<std::uint32_t> parent_;
 };
 
 }  // namespace plumb

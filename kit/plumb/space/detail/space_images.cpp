@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include <plumb/math/detail/step_list.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {
@@ -31,7 +32,8 @@ void Space::updateImages(ProxyId id) {
     const Vec2 last = (wrap_.imageIndex(periodic::padded(box).upper) - first)
                           .cwiseMin(Vec2(maxStoredImages - 1, maxStoredImages - 1));
     imageRecords_[id].base = first;
-    std::vector<ProxyId> old = std::move(imageRecords_[id].images), now;
+    const std::vector<ProxyId>& images = imageRecords_[id].images;
+    StepList<ProxyId> old(images.begin(), images.end()), now;
     periodic::forEachImage({0, 0}, last, [&](const Vec2& image) {
         if (image.isZero(0)) return;
         const auto same = [&](ProxyId other) { return imageRecords_[other].image == image; };
@@ -46,9 +48,9 @@ void Space::updateImages(ProxyId id) {
         moved_.push_back(member);
         now.push_back(member);
     });
-    imageRecords_[id].images = std::move(old);
+    imageRecords_[id].images.assign(old.begin(), old.end());
     removeImages(id);
-    imageRecords_[id].images = std::move(now);
+    imageRecords_[id].images.assign(now.begin(), now.end());
 }
 
 void Space::removeImages(ProxyId id) {

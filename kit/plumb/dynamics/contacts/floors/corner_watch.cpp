@@ -66,7 +66,7 @@ bool CornerWatch::isCovered(const Noted& noted) const {
     return sides != 0 && isAtCoveredFace(contacts_, bodies_, space_, noted.contact, noted.manifold, sides);
 }
 
-void CornerWatch::findCovered(ContactGraph& graph, std::vector<ContactIndex>& covered) {
+void CornerWatch::findCovered(ContactGraph& graph, StepList<ContactIndex>& covered) {
     if (noted_.empty()) return;
     flush_.gather(graph, bodies_);
     for (const Arrival& arrival : arrivals_) flush_.add(arrival.a, arrival.b, arrival.normal, true);

@@ -6,6 +6,7 @@
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/floors/flush_sides.h>
 #include <plumb/dynamics/contacts/pair_collider.h>
+#include <plumb/math/detail/step_list.h>
 #include <plumb/space/detail/space.h>
 
 namespace plumb {
@@ -22,7 +23,7 @@ public:
     /// Is a contact that is not in the solver yet at a corner where a face is covered?
     bool isCovered(ContactIndex contact, const Manifold& manifold) const;
     /// Appends the noted contacts that are. Call it when all contacts in the solver have been noted and prepared.
-    void findCovered(ContactGraph& graph, std::vector<ContactIndex>& covered);
+    void findCovered(ContactGraph& graph, StepList<ContactIndex>& covered);
 
 private:
     struct Noted {
@@ -48,8 +49,8 @@ private:
     const BodyStore& bodies_;
     const Space& space_;
     double dt_;
-    std::vector<Noted> noted_;
-    std::vector<Arrival> arrivals_;  ///< of two points
+    StepList<Noted> noted_;
+    StepList<Arrival> arrivals_;  ///< of two points
     FlushSides flush_;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
@@ -36,7 +37,7 @@ private:
     std::uint64_t of(BodyIndex body, bool onlyNew) const { return onlyNew ? sides_[body].moved : sides_[body].all; }
     void addColour(Colour& colour, bool areKept);
 
-    std::vector<Sides> sides_;  ///< by body
+    StepList<Sides> sides_;  ///< by body
 };
 
 }  // namespace plumb

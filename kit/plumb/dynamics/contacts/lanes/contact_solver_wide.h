@@ -5,7 +5,7 @@
 #pragma once
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 #include <plumb/dynamics/contacts/lanes/point_kinematics.h>
-#include <plumb/dynamics/contacts/lanes/two_points.h>
+#include <plumb/math/detail/two_points.h>
 
 namespace plumb {
 

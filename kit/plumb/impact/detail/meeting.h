@@ -5,15 +5,15 @@
 // along the normal and along the tangent, j the impulses, K how the two bodies answer them. What answers is a body
 // alone, one that nothing moves, or one that joints hold: MeetingBodies.
 // - One point has a closed form, which treats slip and stick exactly: impact/impact.h.
-// - Two points are solved together: each parts at the restitution times its own approach speed. A box that lands flat
-//   has two equal points, and solving one after the other would set it spinning; so the impulses are summed for each
-//   point, clamped in the sum, and corrected until both conditions hold.
-// Source: projected Gauss-Seidel, as in Catto, "Iterative dynamics with temporal coherence", GDC 2005.
-// Test: "a ball at a vertical wall comes back alike, whoever solves the impact"
+// - Two points are solved together: what stops both, and the share e of these impulses once more (Poisson), so each
+//   point that pushed parts at e times its approach. A box that lands flat has two equal points, and solving one after
+//   the other would set it spinning; so the impulses are summed for each point, clamped in the sum, and corrected until
+//   all conditions hold.
+// e restitution [-]. Source: projected Gauss-Seidel, as in Catto, "Iterative dynamics with temporal coherence", GDC
+// 2005. Test: "a ball at a vertical wall comes back alike, whoever solves the impact"
 #pragma once
 #include <span>
 
-#include <plumb/dynamics/bodies/body_store.h>
 #include <plumb/impact/impact.h>
 #include <plumb/math/detail/arrays.h>
 
@@ -36,13 +36,13 @@ public:
 
 /// A body whose own mass alone answers. Inverse masses of 0: nothing moves it.
 struct LooseBody {
-    BodyMotion motion;
+    Vec3 velocity{};
     double inverseMass = 0, inverseInertia = 0;
 };
 class LooseBodies final : public MeetingBodies {
 public:
     LooseBodies(const LooseBody& first, const LooseBody& second) : a(first), b(second) {}
-    OfBoth velocity() const override;
+    OfBoth velocity() const override { return {a.velocity, b.velocity}; }
     OfBoth responseTo(const OfBoth& impulse) override;
     void push(const OfBoth& impulse) override;
 
@@ -70,9 +70,5 @@ struct Meeting {
 /// nothing approaches, or nothing can be moved, or an impulse would not be finite.
 Meeting solveMeeting(std::span<const MeetingPoint> points, const Vec2& normal, const ImpactLaw& law, double resting,
                      MeetingBodies& bodies);
-
-/// The speed that the accelerations of two bodies make along a normal in half a step, of the body that gets more.
-/// Joints may turn the pull on a body into any direction, so that of a jointed body counts whole [m/s].
-double restingSpeed(const BodyStore& bodies, BodyIndex a, BodyIndex b, const Vec2& normal);
 
 }  // namespace plumb

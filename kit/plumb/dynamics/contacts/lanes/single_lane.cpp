@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/contacts/lanes/contact_solver.h>
+#include <plumb/dynamics/contacts/lanes/single_lane.h>
 
 #include <plumb/dynamics/contacts/lanes/contact_solver_wide.h>
 

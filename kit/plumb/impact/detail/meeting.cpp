@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/bodies/meeting.h>
+#include <plumb/impact/detail/meeting.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/impact/detail/bounces.h>
 
 namespace plumb {
@@ -28,7 +27,7 @@ double product(const OfBoth& a, const OfBoth& b) {
 /// A direction at a point: the impulses of 1 N s along it.
 struct MeetingRow {
     OfBoth along, response;
-    double before = 0, speed = 0, impulse = 0, wanted = 0;
+    double before = 0, speed = 0, impulse = 0;
 };
 
 class Impact {
@@ -57,12 +56,12 @@ public:
         return std::isfinite(fastest) ? fastest : 0;
     }
 
-    /// False if it cannot be solved.
-    bool solve(double restitution, Meeting& meeting) {
+    /// False if it cannot be solved. again: corrects a solution, and needs no friction.
+    bool solve(double restitution, bool again, Meeting& meeting) {
         for (std::size_t i = 0; i < count_; i += 2)
             if (!(response(i, i) > 0)) return false;
         const OfBoth start = bodies_.velocity();
-        count_ == 2 ? solveOne(restitution) : solveTwo(restitution);
+        count_ == 2 ? solveOne(restitution) : solveTwo(restitution, !again && law_.friction > 0);
         OfBoth sum;
         for (const MeetingRow& row : rows())
             for (std::size_t c = 0; c < 3; ++c) {
@@ -89,32 +88,49 @@ private:
         rows_[1].impulse = given.tangent;
     }
 
-    void solveTwo(double restitution) {
+    /// Poisson's law: the impulses that just stop the approach, and e of them once more. So both together never give
+    /// energy, as Newton's law would at two points.
+    void solveTwo(double restitution, bool withFriction) {
         for (MeetingRow& row : rows()) {
             row.impulse = 0;
-            row.wanted = -restitution * std::min(row.speed, 0.0);
+            row.speed = row.before;
         }
         for (int sweep = 0; sweep < mostSweeps; ++sweep) {
             bool changes = false;
-            for (std::size_t i = 0; i < count_; ++i) changes = solveRow(i) || changes;
+            for (std::size_t i = 0; i < count_; ++i)
+                if (i % 2 == 0 || withFriction) changes = stopRow(i) || changes;
             if (!changes) break;
         }
+        for (MeetingRow& row : rows()) {
+            row.impulse *= 1 + restitution;
+            row.speed += restitution * (row.speed - row.before);
+        }
+        if (withFriction && gains()) solveTwo(restitution, false);
     }
 
     /// First the normal, then friction within its limit; sums are clamped, so a later sweep may take impulses back.
-    bool solveRow(std::size_t i) {
+    bool stopRow(std::size_t i) {
         MeetingRow& row = rows_[i];
         const double old = row.impulse, mass = response(i, i);
         if (!(mass > 0)) return false;
-        if (i % 2 == 0) {
-            row.impulse = std::max(old + (row.wanted - row.speed) / mass, 0.0);
-        } else {
-            const double limit = law_.friction * rows_[i - 1].impulse;
-            row.impulse = std::clamp(old - (row.speed + law_.surfaceSpeed) / mass, -limit, limit);
-        }
+        const double speed = row.speed + beltAt(i), limit = i % 2 == 0 ? 0 : law_.friction * rows_[i - 1].impulse;
+        row.impulse = i % 2 == 0 ? std::max(old - speed / mass, 0.0) : std::clamp(old - speed / mass, -limit, limit);
         for (std::size_t j = 0; j < count_; ++j) rows_[j].speed += response(j, i) * (row.impulse - old);
         return row.impulse != old;
     }
+
+    /// Where bodies are very oblique, the sweeps may find no impulses that obey friction, and would give energy.
+    bool gains() const {
+        double work = 0, size = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const double part = rows_[i].impulse * (0.5 * (rows_[i].before + rows_[i].speed) + beltAt(i));
+            work += part;
+            size += std::fabs(part);
+        }
+        return work > 1e-9 * size;
+    }
+
+    double beltAt(std::size_t i) const { return i % 2 == 0 ? 0 : law_.surfaceSpeed; }
 
     /// An impulse P along a direction in which the speed goes from v to v' does the work P (v + v') / 2, exactly. The
     /// belt's surface and bodies that impulses do not move are drivers: their work is entered apart, or friction on a
@@ -145,33 +161,22 @@ private:
     bool movesA_ = false, movesB_ = false;
 };
 
-Vec3 velocityOf(const LooseBody& body) {
-    return {body.motion.velocity.x(), body.motion.velocity.y(), body.motion.angularVelocity};
-}
-
 Vec3 changeOf(const LooseBody& body, const Vec3& impulse) {
     return {impulse[0] * body.inverseMass, impulse[1] * body.inverseMass, impulse[2] * body.inverseInertia};
 }
 
-void pushOne(LooseBody& body, const Vec3& impulse) {
-    const Vec3 change = changeOf(body, impulse);
-    body.motion.velocity += Vec2(change[0], change[1]);
-    body.motion.angularVelocity += change[2];
-}
-
 }  // namespace
-
-OfBoth LooseBodies::velocity() const {
-    return {velocityOf(a), velocityOf(b)};
-}
 
 OfBoth LooseBodies::responseTo(const OfBoth& impulse) {
     return {changeOf(a, impulse.a), changeOf(b, impulse.b)};
 }
 
 void LooseBodies::push(const OfBoth& impulse) {
-    pushOne(a, impulse.a);
-    pushOne(b, impulse.b);
+    const OfBoth change = responseTo(impulse);
+    for (std::size_t c = 0; c < 3; ++c) {
+        a.velocity[c] += change.a[c];
+        b.velocity[c] += change.b[c];
+    }
 }
 
 void Meeting::add(const Meeting& next) {
@@ -192,18 +197,10 @@ Meeting solveMeeting(std::span<const MeetingPoint> points, const Vec2& normal, c
     // One law for both points, that of the faster one: else a box that lands flat might bounce with one corner only.
     const double restitution = bounces(law.restitution, approach, resting) ? law.restitution : 0;
     for (int turn = 0; turn < mostTurns && approach > (turn == 0 ? 0 : stopped); ++turn) {
-        if (!impact.solve(restitution, meeting)) break;
+        if (!impact.solve(restitution, turn > 0, meeting)) break;
         approach = impact.approach();
     }
     return meeting;
-}
-
-double restingSpeed(const BodyStore& bodies, BodyIndex a, BodyIndex b, const Vec2& normal) {
-    const auto pullOn = [&](BodyIndex body) {
-        const Vec2 pull = flightLawOf(bodies, body).acceleration.linear;
-        return bodies.links[body].actingJoints > 0 ? pull.norm() : std::fabs(pull.dot(normal));
-    };
-    return 0.5 * bodies.lastStep * std::max(pullOn(a), pullOn(b));
 }
 
 }  // namespace plumb
