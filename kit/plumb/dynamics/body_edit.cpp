@@ -132,7 +132,7 @@ void Body::setFixedRotation(bool fixed) {
 }
 
 void Body::setLocks(bool lockX, bool lockY) {
-    lockBody(*world_, index(), lockX, lockY, islandSolver);
+    lockBody(*world_, index(), lockX, lockY, islandSolver());
 }
 
 void Body::setCanSleep(bool canSleep) {

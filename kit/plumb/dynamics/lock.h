@@ -6,20 +6,18 @@ namespace plumb {
 
 class JointSolver;
 
-/// Used like a bool. Locks are joints, and what solves joints is made by the value true itself: its constructor is
-/// defined beside that code, so a program that uses neither locks nor joints links none of it.
+/// Used like a bool. Locks are joints, and the value true brings the solver of joints with it: its constructor is defined
+/// beside that solver, so a program that uses neither locks nor joints links none of that code.
 class Lock {
 public:
-    using Maker = JointSolver* (*)();  ///< its caller owns what it makes
-
     constexpr Lock() = default;
     Lock(bool locked);  // NOLINT(google-explicit-constructor): .lockX = true
 
     constexpr operator bool() const { return solver_ != nullptr; }  // NOLINT(google-explicit-constructor)
-    Maker solver() const { return solver_; }                        ///< nullptr: not locked
+    const JointSolver* solver() const { return solver_; }           ///< to be copied; nullptr: not locked
 
 private:
-    Maker solver_ = nullptr;
+    const JointSolver* solver_ = nullptr;
 };
 
 }  // namespace plumb

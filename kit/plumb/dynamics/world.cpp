@@ -86,8 +86,8 @@ BodyId World::add(const BodyDef& def) {
     const bool moves = def.type == BodyType::Dynamic || !def.velocity.isZero(0) || def.angularVelocity != 0;
     if (moves && def.awake) bodies.wake(body);
     // The lock itself brings the code of joints along: a program without locks and joints links none of it (lock.h).
-    if (const Lock::Maker solver = def.lockX ? def.lockX.solver() : def.lockY.solver())
-        lockBody(*state_, body, def.lockX, def.lockY, solver);
+    if (const JointSolver* solver = def.lockX ? def.lockX.solver() : def.lockY.solver())
+        lockBody(*state_, body, def.lockX, def.lockY, *solver);
     // Last, because a lock wakes its body.
     if (!def.awake) bodies.putToSleep(body);
     return bodies.idOf(body);

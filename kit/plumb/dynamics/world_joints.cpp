@@ -10,7 +10,7 @@ namespace plumb {
 
 JointId World::join(const JointDef& def) {
     validate(*state_, def);
-    const JointIndex joint = addJoint(*state_, def, islandSolver);
+    const JointIndex joint = addJoint(*state_, def, islandSolver());
     return {joint, state_->joints[joint].generation, state_->bodies.world};
 }
 

@@ -58,7 +58,8 @@ public:
     /// Runs one phase, with its time and its change of energy noted around it, so that phases need know nothing of
     /// either. time: the entry to which the phase's time is added. energy: the entry for the energy change without a
     /// noted cause.
-    void run(void (*phase)(Step&), double StepProfile::*time, double EnergyLedger::*energy) {
+    template <class Phase>
+    void run(Phase&& phase, double StepProfile::*time, double EnergyLedger::*energy) {
         watch_.start(time);
         phase(*this);
         if (world.account) world.account->close(viewOf(world), energy, &MomentumLedger::solver);
@@ -186,8 +187,8 @@ void moveFree(Step& s) {
 }
 
 /// After the solver, which has measured the loads of this step.
-void breakJoints(Step& s) {
-    plumb::breakJoints(s.world);
+void breakOverloaded(Step& s) {
+    breakJoints(s.world);
 }
 
 void reportTouches(Step& s) {
@@ -201,7 +202,7 @@ void takeOut(Step& s) {
 }
 
 /// Nearly last, because paths through sensors are those that bodies took in the end.
-void watchSensors(Step& s) {
+void watch(Step& s) {
     WorldState& w = s.world;
     watchSensors(w.sensors, w.bodies, w.space, w.trajectories, s.dt);
 }
@@ -238,10 +239,10 @@ void World::step(double dt) {
     if (solves) step.run(solveImpacts, &StepProfile::impacts, &EnergyLedger::impacts);
     if (solves) step.run(solve, &StepProfile::solve, &EnergyLedger::solver);
     if (moves) step.run(moveFree, &StepProfile::finish, &EnergyLedger::solver);
-    if (moves) step.run(breakJoints, &StepProfile::finish, &EnergyLedger::breaking);
+    if (moves) step.run(breakOverloaded, &StepProfile::finish, &EnergyLedger::breaking);
     if (moves) step.run(reportTouches, &StepProfile::finish, &EnergyLedger::solver);
     if (moves) step.run(takeOut, &StepProfile::finish, &EnergyLedger::solver);
-    if (solves) step.run(watchSensors, &StepProfile::finish, &EnergyLedger::solver);
+    if (solves) step.run(watch, &StepProfile::finish, &EnergyLedger::solver);
     if (moves) step.run(sleep, &StepProfile::finish, &EnergyLedger::solver);
     step.end();
 }

@@ -49,8 +49,8 @@ void keepApartNoMore(BodyStore& bodies, BodyIndex a, BodyIndex b) {
 }
 
 /// A new record. The first one brings the solver: a program without joints does not link its code (joint_solver.h).
-JointIndex acquire(WorldState& world, Lock::Maker solver) {
-    if (world.joints.records.empty()) world.jointSolver = std::unique_ptr<JointSolver>(solver());
+JointIndex acquire(WorldState& world, const JointSolver& solver) {
+    if (world.joints.records.empty()) world.jointSolver = solver.copy();
     return world.joints.acquire();
 }
 
@@ -131,7 +131,7 @@ void takeNearestImages(WorldState& world, BodyIndex body) {
 
 }  // namespace
 
-JointIndex addJoint(WorldState& world, const JointDef& def, Lock::Maker solver) {
+JointIndex addJoint(WorldState& world, const JointDef& def, const JointSolver& solver) {
     const JointIndex index = acquire(world, solver);
     AnyJoint joint = makeJoint(def, world.joints, world.bodies);
     JointRecord& record = world.joints[index];
@@ -198,7 +198,7 @@ void breakJoints(WorldState& world) {
 }
 
 /// A lock is a hidden joint to the world, which World::joints does not list.
-void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY, Lock::Maker solver) {
+void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY, const JointSolver& solver) {
     forEachLock(world, body, [&](JointIndex index, const LockJoint&) { removeJoint(world, index); });
     if (!lockX && !lockY) return;
     const JointIndex index = acquire(world, solver);

@@ -5,9 +5,9 @@
 
 namespace plumb {
 
-/// Adds a joint whose def was validated, and wakes its bodies. solver: makes the world's joint solver, if it is the
+/// Adds a joint whose def was validated, and wakes its bodies. solver: of which the world gets a copy, if it is the
 /// first joint (joint_solver.h).
-JointIndex addJoint(WorldState& world, const JointDef& def, Lock::Maker solver);
+JointIndex addJoint(WorldState& world, const JointDef& def, const JointSolver& solver);
 /// Removes a joint, and the gears that it drives, and wakes its bodies.
 void removeJoint(WorldState& world, JointIndex joint);
 /// Gives an existing joint another def of its kind, which was validated, and wakes its bodies.
@@ -18,7 +18,7 @@ void removeJointsOf(WorldState& world, BodyIndex body);
 void breakJoints(WorldState& world);
 
 /// Locks a body along x, y, both or neither, at its present position.
-void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY, Lock::Maker solver);
+void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY, const JointSolver& solver);
 /// After a body was moved by an edit: moves its locks, and in a world that wraps connects its joints to the nearest
 /// images of the other bodies.
 void followMove(WorldState& world, BodyIndex body);

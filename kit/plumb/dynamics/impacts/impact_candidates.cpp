@@ -57,10 +57,10 @@ public:
         if (found_.contacts.empty()) return std::move(found_);
         // From here on a contact goes if the solver moves one of its bodies. That makes its other body constrained, and
         // so on: the candidates that stay are those of islands without any other contact.
-        isCandidate_.assign(contacts_.records.size(), false);
+        isCandidate_.assign(contacts_.records.size(), 0);
         found_.countOf.assign(bodies_.record.size(), 0);
         for (const ContactIndex index : found_.contacts) {
-            isCandidate_[index] = true;
+            isCandidate_[index] = 1;
             ++found_.countOf[contacts_[index].bodyA];
             ++found_.countOf[contacts_[index].bodyB];
         }
@@ -73,12 +73,12 @@ public:
         for (const ContactIndex index : found_.contacts) {
             // The flag clear, by which candidates were collected, comes from the lanes and is computed in floats. This
             // second test is in doubles, and only for the few that are left.
-            if (!isCandidate_[index] || bouncesClear(graph_, bodies_, contacts_[index], dt)) continue;
+            if (isCandidate_[index] == 0 || bouncesClear(graph_, bodies_, contacts_[index], dt)) continue;
             if (std::binary_search(spinning_.begin(), spinning_.end(), index)) continue;
             remove(index);
             removeConstrained();
         }
-        std::erase_if(found_.contacts, [this](ContactIndex index) { return !isCandidate_[index]; });
+        std::erase_if(found_.contacts, [this](ContactIndex index) { return isCandidate_[index] == 0; });
         sortByShapes();
         return std::move(found_);
     }
@@ -121,7 +121,7 @@ private:
         std::erase_if(found_.contacts, [this](ContactIndex index) {
             const BodyIndex a = contacts_[index].bodyA, b = contacts_[index].bodyB;
             if (isMarked_[a] == 0 && isMarked_[b] == 0) return false;
-            isCandidate_[index] = false;
+            isCandidate_[index] = 0;
             for (const BodyIndex body : {a, b}) {
                 --found_.countOf[body];
                 if (bodies_.isDynamic(body)) isMarked_[body] = 1;
@@ -132,7 +132,7 @@ private:
 
     /// Each contact is removed once, so all removals together cost O(contacts of the bodies they touch).
     void remove(ContactIndex index) {
-        isCandidate_[index] = false;
+        isCandidate_[index] = 0;
         for (const BodyIndex body : {contacts_[index].bodyA, contacts_[index].bodyB}) {
             --found_.countOf[body];
             if (bodies_.isDynamic(body)) constrained_.push_back(body);
@@ -146,7 +146,7 @@ private:
             constrained_.pop_back();
             if (found_.countOf[body] == 0) continue;
             forEachContact(bodies_, contacts_, body, [this](ContactIndex index) {
-                if (isCandidate_[index]) remove(index);
+                if (isCandidate_[index] != 0) remove(index);
             });
         }
     }
@@ -166,7 +166,7 @@ private:
     const BodyStore& bodies_;
     ImpactCandidates found_;
     StepList<ContactIndex> spinning_;  ///< contacts of spinning bodies, predicted, sorted
-    StepList<bool> isCandidate_;
+    StepList<std::uint8_t> isCandidate_;
     StepList<std::uint8_t> isMarked_;  ///< of each body: 1 if its candidates are to be removed
     StepList<BodyIndex> constrained_;  ///< bodies whose candidates are to be removed
 };

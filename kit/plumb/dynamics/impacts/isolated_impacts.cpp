@@ -75,7 +75,7 @@ private:
     FlyingBodies bodies_;
     StepList<ImpactPair> pairs_;
     StepList<ImpactOutcome> outcomes_;
-    StepList<bool> hasPair_;  ///< for each contact
+    StepList<std::uint8_t> hasPair_;  ///< for each contact
     std::priority_queue<Event, StepList<Event>, Later> queue_;
     Reach reach_;
 };
@@ -87,7 +87,7 @@ ImpactEvents::ImpactEvents(const ImpactStores& stores, const ImpactCandidates& c
       candidates_(candidates),
       dt_(dt),
       bodies_(stores, dt),
-      hasPair_(stores.contacts.records.size(), false),
+      hasPair_(stores.contacts.records.size(), 0),
       reach_(stores, dt) {
     // At most two bodies for each contact; the pairs grow by those that impacts add.
     pairs_.reserve(2 * candidates.contacts.size());
@@ -124,9 +124,9 @@ FlyingIndex ImpactEvents::find(BodyIndex body) {
 
 /// Each contact is added once. A pair is a member of two linked lists through the array, one of each body.
 void ImpactEvents::addPair(ContactIndex contact) {
-    if (hasPair_.size() <= contact) hasPair_.resize(stores_.contacts.records.size(), false);
-    if (hasPair_[contact]) return;
-    hasPair_[contact] = true;
+    if (hasPair_.size() <= contact) hasPair_.resize(stores_.contacts.records.size(), 0);
+    if (hasPair_[contact] != 0) return;
+    hasPair_[contact] = 1;
     const std::uint32_t number = static_cast<std::uint32_t>(pairs_.size());
     ImpactPair& pair = pairs_.emplace_back();
     pair.contact = contact;

@@ -15,13 +15,13 @@ namespace {
 /// Breadth first along touches and acting joints. Fixed bodies are no neighbours: else all that lies on the ground
 /// would be one island.
 StepList<BodyIndex> islandOf(const SleepStores& stores, BodyIndex seed) {
-    StepList<bool> seen(stores.bodies.record.size(), false);
+    StepList<std::uint8_t> seen(stores.bodies.record.size(), 0);
     StepList<BodyIndex> island{seed};
-    seen[seed] = true;
+    seen[seed] = 1;
     for (std::size_t i = 0; i < island.size(); ++i) {
         forEachNeighbour(stores.bodies, stores.contacts, stores.joints, island[i], [&](BodyIndex other) {
-            if (seen[other]) return;
-            seen[other] = true;
+            if (seen[other] != 0) return;
+            seen[other] = 1;
             island.push_back(other);
         });
     }

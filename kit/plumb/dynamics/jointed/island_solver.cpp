@@ -69,12 +69,13 @@ double turningOf(const BodyStore& bodies, const JointIsland& island) {
 
 }  // namespace
 
-JointSolver* islandSolver() {
-    return new IslandSolver;
+const JointSolver& islandSolver() {
+    static const IslandSolver empty;
+    return empty;
 }
 
 /// Here, so that a program which locks a body links the code of joints, and another one does not.
-Lock::Lock(bool locked) : solver_(locked ? islandSolver : nullptr) {}
+Lock::Lock(bool locked) : solver_(locked ? &islandSolver() : nullptr) {}
 
 /// The hinges' impulses go to their records first: so a hinge that gets another place in a sweep keeps its first guess.
 void IslandSolver::findIslands() {

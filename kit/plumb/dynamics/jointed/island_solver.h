@@ -56,7 +56,7 @@ private:
     bool inHalf_ = false;  ///< from solve to respondToContacts
 };
 
-/// Makes a joint solver, which its caller owns (see Lock).
-JointSolver* islandSolver();
+/// One without joints: worlds get a copy of it (see Lock).
+const JointSolver& islandSolver();
 
 }  // namespace plumb

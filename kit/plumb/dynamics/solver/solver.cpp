@@ -127,7 +127,7 @@ public:
         if (observer_ != nullptr) observer_->endSolver(solved_, dt);
     }
 
-    const StepList<WallImpact>& wallImpacts() const { return impacts_; }
+    const StepList<WallImpact>& wallImpacts() const { return walls_.impacts(); }
 
 private:
     /// The sub-step: kick, solve, drift, kick, relax. Forces act in two halves around the move, as in velocity Verlet,
@@ -230,7 +230,7 @@ private:
                 if (batch.pushed[lane] != 0) pushed[batch.bodyA[lane]] = pushed[batch.bodyB[lane]] = 1;
             }
         }
-        for (const WallImpact& impact : impacts_) pushed[stores_.space[impact.hit.own].owner] = 1;
+        for (const WallImpact& impact : walls_.impacts()) pushed[stores_.space[impact.hit.own].owner] = 1;
         return pushed;
     }
 
@@ -239,7 +239,6 @@ private:
     /// lanes are stored from the doubles of their batches, not from the floats of the records. Test: "a body passing a
     /// wall at one millimetre without touching it stays on its closed form"
     void storeBodies() {
-        impacts_ = walls_.impacts();
         const StepList<std::uint8_t> pushed = pushedBodies();
         joints_.end([this](BodyIndex body, const BodyMove* move) { storeBody(body, move ? *move : moveOf(body)); });
         for (const BodyIndex body : std::span(solved_).first(outOfLanes_))
@@ -291,7 +290,6 @@ private:
     std::optional<LoadPaths> loads_;
     WallStops walls_;
     StepList<FastBody> fast_;
-    StepList<WallImpact> impacts_;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
+#include <utility>
 
 #include <plumb/dynamics/bodies/body_solver.h>
 #include <plumb/dynamics/bodies/solver_velocity.h>
@@ -72,18 +72,6 @@ WallStops::Mover WallStops::moverOf(BodyIndex body) const {
     const Vec2 moved = Vec2(static_cast<double>(d.x), static_cast<double>(d.y)) - shiftOf(v, h_);
     return {body, start.center + moved,
             start.angle + static_cast<double>(bodies_.turn[body].angle) - turnBy(bodies_, body, v, h_)};
-}
-
-/// Islands that meet no contact go through the whole step before all others, so impacts are not found in the order of
-/// time.
-StepList<WallImpact> WallStops::impacts() const {
-    StepList<Impact> sorted = impacts_;
-    std::sort(sorted.begin(), sorted.end(), [](const Impact& a, const Impact& b) {
-        return std::tuple(a.start, a.order, a.found) < std::tuple(b.start, b.order, b.found);
-    });
-    StepList<WallImpact> impacts;
-    for (const Impact& one : sorted) impacts.push_back(one.impact);
-    return impacts;
 }
 
 /// A body alone is stopped at once. Of others, the island is added with all its bodies, whose places are computed back
@@ -272,7 +260,12 @@ void WallStops::solve(Group& group, const Hit& hit, double duration) {
     if (impact.normalImpulse == 0) return;
     const JointIsland* first = stores_.joints.islands().data();
     const auto order = group.island == nullptr ? 0 : static_cast<std::uint32_t>(group.island - first + 1);
-    impacts_.push_back({start_, order, static_cast<std::uint32_t>(impacts_.size()), impact});
+    // Islands that meet no contact go through the whole step before all others: so impacts are not found in the order
+    // of time.
+    const std::pair place(start_, order);
+    const auto at = std::upper_bound(places_.begin(), places_.end(), place) - places_.begin();
+    places_.insert(places_.begin() + at, place);
+    impacts_.insert(impacts_.begin() + at, impact);
 }
 
 /// Changes the velocities so that the joints hold after a time. At very high speeds that may add energy: then the

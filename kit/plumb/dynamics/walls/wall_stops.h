@@ -36,7 +36,7 @@ public:
     /// Call this after the bodies have moved in a sub-step that began at this time since the step's start [s].
     void afterMove(std::span<const FastBody> fast, double start);
     /// The impacts so far, in the order of sub-steps, in each by the numbers of islands: bodies alone come first.
-    StepList<WallImpact> impacts() const;
+    const StepList<WallImpact>& impacts() const { return impacts_; }
 
 private:
     /// A body, and its place at the time from which it moves on.
@@ -90,13 +90,9 @@ private:
     StepList<BodyIndex> added_;        ///< those, in the order in which they were added
     StepList<Group> groups_;           ///< islands, in this sub-step
     Group alone_;                      ///< its one body changes from call to call
-    struct Impact {
-        double start = 0;  ///< of its sub-step [s]
-        std::uint32_t order = 0, found = 0;
-        WallImpact impact;
-    };
-    StepList<Impact> impacts_;  ///< as they were found
-    StepList<Vec3> before_;     ///< velocities of a group
+    StepList<WallImpact> impacts_;
+    StepList<std::pair<double, std::uint32_t>> places_;  ///< of each impact: its sub-step's start [s], and its island
+    StepList<Vec3> before_;                              ///< velocities of a group
 };
 
 }  // namespace plumb
