@@ -38,7 +38,8 @@ constexpr double mostPeriods = 64;
 /// The times at which a shape that goes through a wall, or too deep into it, comes to certain depths: one after the
 /// other, as long as it does. The first is where it touches, if it was apart; then where it is too deep, and deeper.
 /// Several are needed, because a touch may be one that parts or slides along, which is not to be stopped, and the body
-/// may then go in deeper. A body that moved by less than its inradius, and is not too deep, costs one distance.
+/// may then go in deeper: the depths reach down to where it would be at the end. A body that moved by less than its
+/// inradius, and is not too deep, costs one distance.
 class Crossing {
 public:
     /// travel: how far the moving shape's outline moves relative to the wall, at most [m].
@@ -55,7 +56,7 @@ public:
         const double start = separationAt(0);
         // A body that is deeper already at the start, as under a heavy load, is stopped if it goes deeper.
         limit_ = std::min(skin - deep_, start - noticeable);
-        lost_ = limit_ - separationAt(1);
+        deeper_ = limit_ - separationAt(1);
         crosses_ = timeOfApproach(wall_, moving_, limit_, 0);
         if (crosses_ && start > skin + noticeable) touches_ = timeOfApproach(wall_, moving_, skin, 0);
     }
@@ -64,7 +65,7 @@ public:
         const int number = tried_++;
         if (number == 0 && touches_) return atPart(*touches_);
         if (number > (touches_ ? 1 : 0) && crosses_) {
-            limit_ -= std::max(0.5 * deep_, lost_ / mostDepths);
+            limit_ -= std::max(0.5 * deep_, deeper_ / mostDepths);
             crosses_ = timeOfApproach(wall_, moving_, limit_, *crosses_);
         }
         return crosses_ && number < mostDepths ? atPart(*crosses_) : std::nullopt;
@@ -79,7 +80,8 @@ private:
 
     RayPart part_;
     SweptShape wall_, moving_;
-    double deep_ = 0, limit_ = 0, lost_ = 0;
+    double deep_ = 0, limit_ = 0;
+    double deeper_ = 0;  ///< by how much it goes beyond the first limit [m]
     std::optional<double> touches_, crosses_;
     int tried_ = 0;
 };

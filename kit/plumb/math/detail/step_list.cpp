@@ -26,7 +26,11 @@ struct FreeBlocks {
     }
 };
 
+#if defined(__wasm__)
+FreeBlocks freeBlocks;  // a module has one thread, and nothing that would run at its end
+#else
 thread_local FreeBlocks freeBlocks;
+#endif
 
 int powerFor(std::size_t bytes) {
     return std::bit_width(std::max(bytes, least) - 1);
