@@ -33,7 +33,7 @@ thread_local FreeBlocks freeBlocks;
 #endif
 
 int powerFor(std::size_t bytes) {
-    return std::bit_width(std::max(bytes, least) - 1);
+    return static_cast<int>(std::bit_width(std::max(bytes, least) - 1));
 }
 
 }  // namespace
