@@ -6,8 +6,8 @@ namespace plumb {
 
 class JointSolver;
 
-/// Used like a bool. Locks are joints, and the value true brings the solver of joints with it: its constructor is defined
-/// beside that solver, so a program that uses neither locks nor joints links none of that code.
+/// Used like a bool. Locks are joints, and the value true brings the solver of joints with it: its constructor is
+/// defined beside that solver, so a program that uses neither locks nor joints links none of that code.
 class Lock {
 public:
     constexpr Lock() = default;

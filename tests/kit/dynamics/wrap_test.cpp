@@ -114,7 +114,7 @@ TEST_CASE("a pile in a world that wraps far from its seam moves to the last bit 
     }
 }
 
-TEST_CASE("an elastic gas of 20 to 100 discs across the seams keeps energy and momentum for 20 s",
+TEST_CASE("an elastic gas of 20 to 100 discs across the seams keeps energy and momentum for 30 s",
           "[dynamics][wrap][tiles]") {
     for (const int count : {20, 50, 100}) {
         Gas around = gasOf(count, static_cast<std::uint64_t>(count), true);
@@ -125,7 +125,7 @@ TEST_CASE("an elastic gas of 20 to 100 discs across the seams keeps energy and m
         for (const BodyId id : around.discs)
             largest += around.world.body(id).mass() * around.world.body(id).velocity().norm();
         int hits = 0;
-        for (int i = 0; i < 1200; ++i) {
+        for (int i = 0; i < 1800; ++i) {
             around.world.step(dt);
             closed.world.step(dt);
             hits += static_cast<int>(around.world.contactHits().size());
@@ -135,7 +135,7 @@ TEST_CASE("an elastic gas of 20 to 100 discs across the seams keeps energy and m
         }
         INFO(count << " discs, " << hits << " hits, energy " << driftAround << " against " << driftClosed
                    << " in a closed box, momentum " << driftMomentum);
-        CHECK(hits > 3 * count);  // 20 discs meet 80 to 140 times, as they are thrown
+        CHECK(hits > 5 * count);
         CHECK(driftAround < 1e-9);
         CHECK(driftMomentum < 1e-9);
     }

@@ -8,12 +8,10 @@
 
 namespace plumb {
 
-inline Vec3 velocityOf(const SolverVelocity& v, const SolverTurn& turn) {
-    return {static_cast<double>(v.x), static_cast<double>(v.y),
-            static_cast<double>(v.w) * static_cast<double>(turn.inverseGyration)};
-}
 inline Vec3 velocityOf(const BodyStore& bodies, BodyIndex body) {
-    return velocityOf(bodies.velocity[body], bodies.turn[body]);
+    const SolverVelocity& v = bodies.velocity[body];
+    return {static_cast<double>(v.x), static_cast<double>(v.y),
+            static_cast<double>(v.w) * static_cast<double>(bodies.turn[body].inverseGyration)};
 }
 
 /// The change of a body's velocity by an impulse, if the body is alone.

@@ -5,9 +5,9 @@
 
 #include <plumb/dynamics/bodies/body_store.h>
 #include <plumb/forces/buoyancy.h>
+#include <plumb/math/detail/step_list.h>
 #include <plumb/shapes/shape.h>
 #include <plumb/space/detail/space.h>
-#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 

@@ -95,7 +95,7 @@ void IslandSolver::findIslands() {
 
 /// No island may fly while the ledger watches, which has to see all velocities before and after each half, nor while
 /// fields act, which read the records of bodies.
-std::size_t IslandSolver::begin(const JointStores& stores, StepList<BodyIndex>& solved) {
+std::size_t IslandSolver::begin(JointStores stores, StepList<BodyIndex>& solved) {
     stores_ = stores;
     dt_ = stores.h * stores.settings.subSteps;
     inHalf_ = false;

@@ -15,7 +15,7 @@ class IslandSolver final : public JointSolver {
 public:
     std::unique_ptr<JointSolver> copy() const override { return std::make_unique<IslandSolver>(*this); }
 
-    std::size_t begin(const JointStores& stores, StepList<BodyIndex>& solved) override;
+    std::size_t begin(JointStores stores, StepList<BodyIndex>& solved) override;
     void fly(FunctionRef<void(StepList<BodyIndex>& bodies, int subStep)> move) override;
     void solve(const HalfStep& half) override;
     void respondToContacts(const HalfStep& half) override;

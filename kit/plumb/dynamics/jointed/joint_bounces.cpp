@@ -44,7 +44,7 @@ Vec2 armTo(const BodyStore& bodies, const ConstContactLane& at, std::size_t poin
 
 }  // namespace
 
-void JointBounces::take(const JointStores& stores, std::span<const JointIsland> islands) {
+void JointBounces::take(JointStores& stores, std::span<const JointIsland> islands) {
     const BodyStore& bodies = *stores.bodies;
     found_.clear();
     if (islands.empty()) return;
@@ -76,7 +76,7 @@ void JointBounces::take(const JointStores& stores, std::span<const JointIsland> 
     }
 }
 
-void JointBounces::solve(const JointStores& stores, JointSolver& joints) const {
+void JointBounces::solve(JointStores& stores, JointSolver& joints) const {
     forEachGroup(found_, [&](std::span<const Bounce> group) {
         for (std::size_t count = 0; count < impactsPerContact * group.size(); ++count) {
             const Point next = fastest(stores, group);
@@ -107,7 +107,7 @@ JointBounces::Point JointBounces::fastest(const JointStores& stores, std::span<c
     return first;
 }
 
-void JointBounces::bounce(const JointStores& stores, JointSolver& joints, const Point& point) {
+void JointBounces::bounce(JointStores& stores, JointSolver& joints, const Point& point) {
     BodyStore& bodies = *stores.bodies;
     const ContactRecord& contact = (*stores.contacts)[point.contact];
     const ContactLane at = stores.graph->laneOf(contact);

@@ -20,10 +20,10 @@ public:
     /// At the start of a step: finds the contacts that bounce and have a jointed body, and keeps the solver from
     /// bouncing them again. Contacts through which an impact may pass from one to the next are in one group: those that
     /// meet at a body, or at bodies of one island. Fixed bodies pass nothing on.
-    void take(const JointStores& stores, std::span<const JointIsland> islands);
+    void take(JointStores& stores, std::span<const JointIsland> islands);
     /// Before contacts are solved, in either half of a sub-step: applies the impulses of those bounces that would meet
     /// in this sub-step.
-    void solve(const JointStores& stores, JointSolver& joints) const;
+    void solve(JointStores& stores, JointSolver& joints) const;
 
 private:
     /// A point of a contact, in its present state.
@@ -40,7 +40,7 @@ private:
     };
 
     static Point fastest(const JointStores& stores, std::span<const Bounce> group);
-    static void bounce(const JointStores& stores, JointSolver& joints, const Point& point);
+    static void bounce(JointStores& stores, JointSolver& joints, const Point& point);
 
     std::vector<Bounce> found_;  ///< one group after the other
 };

@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-void JointedContacts::setMasses(const JointStores& stores) const {
+void JointedContacts::setMasses(JointStores& stores) const {
     for (const ContactBody& seen : seen_)
         setSolverMass(*stores.graph, *stores.contacts, *stores.bodies, seen.body, static_cast<float>(1 / seen.mass),
                       seen.inertia > 0 ? static_cast<float>(std::sqrt(seen.mass / seen.inertia)) : 0.0f);
@@ -25,7 +25,7 @@ void JointedContacts::forEachChanged(const JointStores& stores, Visit&& visit) c
 }
 
 /// Returns true if an island has changed. If none can, the loads are noted at once, while the numbers are at hand.
-bool JointedContacts::respondOnce(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn) {
+bool JointedContacts::respondOnce(JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn) {
     bool changed = false;
     for (JointBatch& batch : batches) {
         const LaneFlags touched = batch.respondToContacts(*stores.bodies, turn);
@@ -36,7 +36,7 @@ bool JointedContacts::respondOnce(const JointStores& stores, std::span<JointBatc
 }
 
 /// Takes the contacts back, and solves them with the masses that their bodies have now.
-void JointedContacts::solveAgain(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn) {
+void JointedContacts::solveAgain(JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn) {
     const SolverBodies bodies = stores.bodies->solverBodies();
     forEachChanged(stores, [&](const Jointed& one, const ContactLane& at, const ContactPass&) {
         takeBackLane(at.batch, at.lane, bodies, one.start);
@@ -67,7 +67,7 @@ void JointedContacts::find(const JointStores& stores, std::span<const JointIslan
     }
 }
 
-void JointedContacts::start(const JointStores& stores, std::span<JointBatch> batches, bool isFirst) {
+void JointedContacts::start(JointStores& stores, std::span<JointBatch> batches, bool isFirst) {
     seen_.clear();
     for (JointBatch& batch : batches) batch.contacts.findBodies(batch.numbers, *stores.bodies, isFirst, seen_);
     setMasses(stores);
@@ -77,7 +77,7 @@ void JointedContacts::start(const JointStores& stores, std::span<JointBatch> bat
     }
 }
 
-void JointedContacts::respond(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn) {
+void JointedContacts::respond(JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn) {
     constexpr int mostRounds = 3;  // in the last one no stop counts: contacts give too little rather than too much
     for (int round = 1; respondOnce(stores, batches, turn) && round <= mostRounds; ++round) {
         for (JointBatch& batch : batches) batch.contacts.noteLoadedStops(batch.numbers, round < mostRounds);

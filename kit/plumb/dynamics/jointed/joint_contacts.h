@@ -25,9 +25,9 @@ public:
     /// At the start of a step: finds the contacts that may have to be solved again.
     void find(const JointStores& stores, std::span<const JointIsland> islands);
     /// Before contacts are solved in a half: lets them see the right masses.
-    void start(const JointStores& stores, std::span<JointBatch> batches, bool isFirst);
+    void start(JointStores& stores, std::span<JointBatch> batches, bool isFirst);
     /// After contacts are solved: lets the joints respond to their impulses, and notes the loads of the joints.
-    void respond(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn);
+    void respond(JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn);
 
 private:
     /// A contact that may have to be solved again, and its impulses before this half.
@@ -38,9 +38,9 @@ private:
         ContactImpulses start{};
     };
 
-    bool respondOnce(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn);
-    void solveAgain(const JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn);
-    void setMasses(const JointStores& stores) const;
+    bool respondOnce(JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn);
+    void solveAgain(JointStores& stores, std::span<JointBatch> batches, const IslandTurn& turn);
+    void setMasses(JointStores& stores) const;
     template <class Visit>
     void forEachChanged(const JointStores& stores, Visit&& visit) const;
 

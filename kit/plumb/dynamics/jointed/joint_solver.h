@@ -46,7 +46,7 @@ public:
     /// At the start of a step, also if nothing is solved: finds the islands again if the joints have changed. Sorts the
     /// bodies that are solved: those that the islands' own lanes kick and move come last, and those of islands that fly
     /// go. Returns the number of the others.
-    virtual std::size_t begin(const JointStores&, StepList<BodyIndex>& solved) { return solved.size(); }
+    virtual std::size_t begin(JointStores, StepList<BodyIndex>& solved) { return solved.size(); }
     /// Takes the islands that touch nothing through the whole step. move: calls this solver's move, and what follows.
     virtual void fly(FunctionRef<void(StepList<BodyIndex>& bodies, int subStep)>) {}
     /// In each half: kicks the bodies in its lanes, solves the joints, then the bounces of jointed bodies, from

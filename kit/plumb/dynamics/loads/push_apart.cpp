@@ -158,7 +158,7 @@ private:
 
 }  // namespace
 
-/// The first phase of a step, before bounds are placed, because it moves bodies. Solved by the scalar contact solver:
+/// The first phase of a step, before bounds are placed, because it moves bodies. Solved by the contact solver for one lane:
 /// shift per second in place of velocity. O(contacts of the bodies that are shifted) for each of the sweeps.
 void pushApart(const ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies,
                const SolverSettings& settings, double dt) {
