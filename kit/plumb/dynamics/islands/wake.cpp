@@ -3,6 +3,7 @@
 
 #include <plumb/dynamics/bodies/load_bodies.h>
 #include <plumb/dynamics/islands/neighbours.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
+#include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
@@ -158,8 +159,8 @@ private:
 
 }  // namespace
 
-/// The first phase of a step, before bounds are placed, because it moves bodies. Solved by the contact solver for one lane:
-/// shift per second in place of velocity. O(contacts of the bodies that are shifted) for each of the sweeps.
+/// The first phase of a step, before bounds are placed, because it moves bodies. Solved by the contact solver for one
+/// lane: shift per second in place of velocity. O(contacts of the bodies that are shifted) for each of the sweeps.
 void pushApart(const ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies,
                const SolverSettings& settings, double dt) {
     const auto isAwake = [&](const DeepContact& overlap) { return contacts[overlap.contact].isSolved(); };
