@@ -13,6 +13,7 @@
 #include <plumb/dynamics/query/shape_query.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
+#include <plumb/math/detail/sorting.h>
 
 namespace plumb {
 
@@ -53,11 +54,8 @@ std::tuple<std::uint32_t, std::uint32_t> placeOf(const ShapeId& shape) {
 
 /// The order of hits. It is the same whatever the order in which they were found, also for two pieces of a chain that
 /// are met at their common point.
-bool comesFirst(const CastHit& a, const CastHit& b) {
-    const auto rank = [](const CastHit& hit) {
-        return std::tuple(hit.fraction, placeOf(hit.shape), hit.normal.x(), hit.normal.y());
-    };
-    return rank(a) < rank(b);
+auto rankOf(const CastHit& hit) {
+    return std::tuple(hit.fraction, placeOf(hit.shape), hit.normal.x(), hit.normal.y());
 }
 
 bool isNearer(const Nearest& a, const Nearest& b) {
@@ -96,11 +94,12 @@ std::optional<CastHit> firstHit(const ShapeQuery& query, const Mover& mover, Mee
         std::optional<CastHit>& kind = query.isArea(id) ? firstArea : first;
         if (const std::optional<CastPoint> met = meet(id, shift)) {
             const CastHit hit = query.hitOf(id, shift, *met);
-            if (!kind || comesFirst(hit, *kind)) kind = hit;
+            if (!kind || rankOf(hit) < rankOf(*kind)) kind = hit;
         }
         return std::min(first ? first->fraction : 1.0, firstArea ? firstArea->fraction : 1.0);
     });
-    if (!first || (firstArea && comesFirst(*firstArea, *first) && !isCovered(*firstArea, *first))) return firstArea;
+    if (!first || (firstArea && rankOf(*firstArea) < rankOf(*first) && !isCovered(*firstArea, *first)))
+        return firstArea;
     return first;
 }
 
@@ -119,17 +118,14 @@ std::vector<CastHit> allHits(const ShapeQuery& query, const Mover& mover, Meet m
     for (const CastHit& area : areas)
         if (std::none_of(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(outlines), covers(area)))
             hits.push_back(area);
-    std::sort(hits.begin(), hits.end(), comesFirst);
+    sortBy(hits, rankOf);
     return hits;
 }
 
 /// Keeps the first hit of each shape, given hits in order.
 std::vector<CastHit> oneOfEach(std::vector<CastHit> hits) {
-    std::stable_sort(hits.begin(), hits.end(),
-                     [](const CastHit& a, const CastHit& b) { return placeOf(a.shape) < placeOf(b.shape); });
-    const auto sameShape = [](const CastHit& a, const CastHit& b) { return a.shape == b.shape; };
-    hits.erase(std::unique(hits.begin(), hits.end(), sameShape), hits.end());
-    std::sort(hits.begin(), hits.end(), comesFirst);
+    sortOnceBy(hits, [](const CastHit& hit) { return placeOf(hit.shape); });
+    sortBy(hits, rankOf);
     return hits;
 }
 
@@ -169,8 +165,7 @@ std::vector<ShapeId> overlapping(const ShapeQuery& query, const Shape& shape, co
         if (plumb::distance(query.shape(id), query.pose(id, shift), shape, pose).separation <= 0)
             found.push_back(query.idOf(id));
     });
-    std::sort(found.begin(), found.end(), [](const ShapeId& a, const ShapeId& b) { return placeOf(a) < placeOf(b); });
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sortOnceBy(found, placeOf);
     return found;
 }
 

@@ -8,6 +8,7 @@
 
 #include <plumb/math/check.h>
 #include <plumb/math/detail/exact.h>
+#include <plumb/math/detail/sorting.h>
 
 namespace plumb {
 namespace {
@@ -153,8 +154,7 @@ MotionSolutions solveMotion(const KnownMotion& known, MotionTimes times) {
     for (const SolvedMotion& motion : all.motions)
         if (isFinite(motion) && (times == MotionTimes::AnyReal || motion.time >= 0))
             solutions.motions.push_back(tidy(motion));
-    std::sort(solutions.motions.begin(), solutions.motions.end(),
-              [](const SolvedMotion& one, const SolvedMotion& other) { return one.time < other.time; });
+    sortBy(solutions.motions, [](const SolvedMotion& motion) { return motion.time; });
     return solutions;
 }
 

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include <plumb/math/check.h>
+#include <plumb/math/detail/sorting.h>
 #include <plumb/math/random.h>
 #include <plumb/shapes/detail/point_sets.h>
 
@@ -138,7 +140,7 @@ public:
         for (const auto& [side, piece] : owner_)
             if (side.first < side.second && owner_.contains(opposite(side)))
                 found.push_back({-(outline_.scaled[side.first] - outline_.scaled[side.second]).norm(), side});
-        std::sort(found.begin(), found.end());
+        sortBy(found, std::identity{});
         std::vector<Side> sides;
         for (const auto& [length, side] : found) sides.push_back(side);
         return sides;

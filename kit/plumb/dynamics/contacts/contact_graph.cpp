@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 
 #include <plumb/collide/lanes/pair_lanes.h>
+#include <plumb/math/detail/sorting.h>
 #include <plumb/math/detail/step_list.h>
 
 namespace plumb {
@@ -124,9 +124,7 @@ void ContactGraph::sortOverflow(ContactStore& contacts) {
             return shapesOf(contacts[a]) < shapesOf(contacts[b]);
         };
         if (std::is_sorted(colour.contactOf.begin(), colour.contactOf.end(), comesFirst)) continue;
-        StepList<std::uint32_t> from(colour.contactOf.size());  // for each slot: the one whose contact belongs there
-        std::iota(from.begin(), from.end(), std::uint32_t{0});
-        std::sort(from.begin(), from.end(), [&](std::uint32_t a, std::uint32_t b) {
+        StepList<std::uint32_t> from = sortedOrder(colour.contactOf.size(), [&](std::uint32_t a, std::uint32_t b) {
             return comesFirst(colour.contactOf[a], colour.contactOf[b]);
         });
         for (std::uint32_t start = 0; start < from.size(); ++start) moveAround(colour, from, start, spare_);

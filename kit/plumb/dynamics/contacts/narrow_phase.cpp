@@ -11,6 +11,7 @@
 #include <plumb/dynamics/contacts/floors/flush_faces.h>
 #include <plumb/dynamics/contacts/overlaps.h>
 #include <plumb/math/detail/for_lanes.h>
+#include <plumb/math/detail/sorting.h>
 
 namespace plumb {
 
@@ -164,19 +165,17 @@ void NarrowPhase::addArrival(ContactIndex index, const FreshLanes& fresh, std::s
 /// near contacts, which changes with each that goes, also far away, and would change the colours that they get.
 void NarrowPhase::sortArrivals() {
     struct Place {
-        bool boxes;
+        bool polygons;
         std::tuple<ProxyId, ProxyId, double, double> shapes;
         std::size_t batch, lane;
-        bool operator<(const Place& other) const { return boxes != other.boxes ? boxes : shapes < other.shapes; }
     };
     StepList<Place> order;
     for (std::size_t batch = 0; batch < arrivals_.size(); ++batch)
         for (std::size_t lane = 0; lane < arrivals_[batch].count; ++lane) {
             const ContactRecord& c = contacts_[arrivals_[batch].contacts[lane]];
-            order.push_back({c.boxes, shapesOf(c), batch, lane});
+            order.push_back({!c.boxes, shapesOf(c), batch, lane});
         }
-    if (std::is_sorted(order.begin(), order.end())) return;
-    std::sort(order.begin(), order.end());
+    if (!sortBy(order, [](const Place& place) { return std::tuple(place.polygons, place.shapes); })) return;
     const StepList<Arrivals> found = std::exchange(arrivals_, {});
     for (const Place& place : order) {
         const Arrivals& some = found[place.batch];

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include <plumb/dynamics/contacts/contact_rules.h>
+#include <plumb/math/detail/sorting.h>
 
 namespace plumb {
 
@@ -139,11 +140,7 @@ std::vector<ShiftedShapes> pairsOfShape(const ContactStore& contacts, const Body
     });
     // The tree finds shapes in an order that depends on everything in the world; contacts are made in the order of
     // their shapes. In a world that wraps, it may find one at the same shift more than once.
-    std::sort(others.begin(), others.end(), [](const Other& a, const Other& b) {
-        return std::tuple(a.proxy, a.shift.x(), a.shift.y()) < std::tuple(b.proxy, b.shift.x(), b.shift.y());
-    });
-    const auto same = [](const Other& a, const Other& b) { return a.proxy == b.proxy && a.shift == b.shift; };
-    others.erase(std::unique(others.begin(), others.end(), same), others.end());
+    sortOnceBy(others, [](const Other& one) { return std::tuple(one.proxy, one.shift.x(), one.shift.y()); });
     std::vector<ShiftedShapes> pairs;
     for (const Other& other : others) {
         const ShiftedShapes pair = inOrder(proxy, other.proxy, other.shift);

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 #include <utility>
 
 #include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/impact/detail/bounces.h>
+#include <plumb/math/detail/sorting.h>
 
 namespace plumb {
 
@@ -103,10 +105,8 @@ private:
         if (spinning_.empty()) return;
         StepList<ContactIndex>& all = found_.contacts;
         all.insert(all.end(), spinning_.begin(), spinning_.end());
-        for (StepList<ContactIndex>* some : {&spinning_, &all}) {
-            std::sort(some->begin(), some->end());
-            some->erase(std::unique(some->begin(), some->end()), some->end());
-        }
+        sortOnceBy(spinning_, std::identity{});
+        sortOnceBy(all, std::identity{});
     }
 
     void markConstrained() {
@@ -154,11 +154,7 @@ private:
     /// The order of slots changes with each contact that goes, also far away; of two impacts at the same time, the
     /// first in the list is solved first.
     void sortByShapes() {
-        StepList<std::pair<std::tuple<ProxyId, ProxyId, double, double>, ContactIndex>> order;
-        order.reserve(found_.contacts.size());
-        for (const ContactIndex index : found_.contacts) order.emplace_back(shapesOf(contacts_[index]), index);
-        std::sort(order.begin(), order.end());
-        for (std::size_t i = 0; i < order.size(); ++i) found_.contacts[i] = order[i].second;
+        sortBy(found_.contacts, [this](ContactIndex index) { return shapesOf(contacts_[index]); });
     }
 
     const ContactGraph& graph_;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include <plumb/dynamics/contacts/pairs.h>
+#include <plumb/math/detail/sorting.h>
 #include <plumb/space/detail/shape_radii.h>
 
 namespace plumb {
@@ -17,11 +18,8 @@ namespace {
 /// Test: "a struck ball meets another one past 190 shapes, and passes it past 210"
 constexpr std::size_t mostShapes = 200;
 
-bool isMetFirst(const std::pair<ProxyId, Vec2>& a, const std::pair<ProxyId, Vec2>& b) {
-    const auto rank = [](const std::pair<ProxyId, Vec2>& met) {
-        return std::tuple(met.first, met.second.x(), met.second.y());
-    };
-    return rank(a) < rank(b);
+auto rankOf(const std::pair<ProxyId, Vec2>& met) {
+    return std::tuple(met.first, met.second.x(), met.second.y());
 }
 
 }  // namespace
@@ -44,7 +42,7 @@ void Reach::extend(const FlyingBody& body, StepList<ContactIndex>& added) {
                 found.emplace_back(shape.proxy, shift);
         }
         if (found.size() > mostShapes) continue;
-        std::sort(found.begin(), found.end(), isMetFirst);  // the space's order depends on what is far away, too
+        sortBy(found, rankOf);  // the space's order depends on what is far away, too
         for (const auto& [other, shift] : found) meet(proxy, other, shift, added);
         leaving_.push_back({proxy, swept});
     }

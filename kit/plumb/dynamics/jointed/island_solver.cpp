@@ -9,6 +9,7 @@
 #include <plumb/dynamics/bodies/body_solver.h>
 #include <plumb/dynamics/joints/joint_measure.h>
 #include <plumb/dynamics/joints/joint_springs.h>
+#include <plumb/math/detail/sorting.h>
 
 namespace plumb {
 
@@ -161,11 +162,7 @@ StepList<std::span<JointIsland*>> IslandSolver::cutBatches(StepList<JointIsland*
     for (const std::vector<std::uint32_t>& group : islands_.alike) {
         std::span<JointIsland*> left = rest.first(group.size());
         rest = rest.subspan(group.size());
-        const auto placeOf = [](const JointIsland* island) {
-            return std::tuple(island->pieces, !island->touches, island);  // islands lie in one array, in their order
-        };
-        std::sort(left.begin(), left.end(),
-                  [&](const JointIsland* a, const JointIsland* b) { return placeOf(a) < placeOf(b); });
+        sortBy(left, [](const JointIsland* island) { return std::tuple(island->pieces, !island->touches); });
         while (!left.empty()) {
             std::size_t width = static_cast<std::size_t>(islandLanes(stores_.settings.lanes));
             const int pieces = left.front()->pieces;

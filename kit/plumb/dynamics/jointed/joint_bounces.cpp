@@ -9,6 +9,7 @@
 #include <plumb/dynamics/joints/joint_rows.h>
 #include <plumb/impact/detail/bounces.h>
 #include <plumb/math/detail/disjoint_sets.h>
+#include <plumb/math/detail/sorting.h>
 
 namespace plumb {
 
@@ -64,7 +65,7 @@ void JointBounces::take(JointStores& stores, std::span<const JointIsland> island
             connected.unite(contact.bodyA, contact.bodyB);
     }
     for (Bounce& one : found_) one.group = connected.of(one.group);
-    std::sort(found_.begin(), found_.end());
+    sortBy(found_, [](const Bounce& one) { return std::pair(one.group, one.contact); });
     auto end = found_.begin();
     forEachGroup(found_, [&](std::span<Bounce> group) {
         if (group.size() <= mostBounces) end = std::copy(group.begin(), group.end(), end);

@@ -36,7 +36,6 @@ private:
     struct Bounce {
         BodyIndex group = noBody;
         ContactIndex contact = none;
-        auto operator<=>(const Bounce&) const = default;
     };
 
     static Point fastest(const JointStores& stores, std::span<const Bounce> group);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <plumb/math/detail/disjoint_sets.h>
+#include <plumb/math/detail/sorting.h>
 
 namespace plumb {
 
@@ -107,9 +108,7 @@ StepList<LoadPathFinder::Start> LoadPathFinder::startsOf(std::span<const BodyInd
             const Start start{contact, fromHeavy ? body : other, fromHeavy ? other : body};
             if (isStart(start)) starts.push_back(start);
         });
-    std::sort(starts.begin(), starts.end(), [&](const Start& a, const Start& b) {
-        return shapesOf(contacts_[a.contact]) < shapesOf(contacts_[b.contact]);
-    });
+    sortBy(starts, [this](const Start& start) { return shapesOf(contacts_[start.contact]); });
     return starts;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
+#include <plumb/math/detail/sorting.h>
 #include <plumb/math/detail/step_list.h>
 
 namespace plumb {
@@ -57,7 +58,7 @@ public:
           overlaps_(contacts.overlaps.begin(), contacts.overlaps.end()),
           states_(bodies.record.size(), State::Unknown),
           shifts_(bodies.velocity.size()) {
-        std::sort(overlaps_.begin(), overlaps_.end(), before);
+        sortBy(overlaps_, [](const DeepContact& overlap) { return overlap.contact; });
         for (const DeepContact& overlap : contacts.overlaps)
             if (contacts[overlap.contact].isSolved())
                 for (const BodyIndex body : bodiesOf(overlap.contact)) push(body);
@@ -79,8 +80,6 @@ public:
 
 private:
     enum class State : std::uint8_t { Unknown, Touched, Pushing, Added };
-    using Place = std::tuple<std::uint32_t, ProxyId, ProxyId, double, double>;
-
     static bool before(const DeepContact& a, const DeepContact& b) { return a.contact < b.contact; }
 
     std::array<BodyIndex, 2> bodiesOf(ContactIndex index) const {
@@ -109,17 +108,17 @@ private:
 
     /// Adds the contacts of bodies that began to push, in the order in which contacts are solved.
     void addContacts() {
-        StepList<std::pair<Place, ContactIndex>> order;
+        StepList<ContactIndex> order;
         for (const BodyIndex body : std::exchange(pushing_, {})) {
             states_[body] = State::Added;
             forEachContact(bodies_, contacts_, body, [&](ContactIndex index) {
                 const ContactRecord& c = contacts_[index];
-                if (c.isSolved() && states_[otherOf(c, body)] != State::Added)
-                    order.push_back({{c.colour, c.proxyA, c.proxyB, c.shift.x(), c.shift.y()}, index});
+                if (c.isSolved() && states_[otherOf(c, body)] != State::Added) order.push_back(index);
             });
         }
-        std::sort(order.begin(), order.end());
-        for (const auto& [place, index] : order) add(index);
+        sortBy(order,
+               [this](ContactIndex index) { return std::tuple(contacts_[index].colour, shapesOf(contacts_[index])); });
+        for (const ContactIndex index : order) add(index);
     }
 
     /// A contact without impulses and friction, with gaps, and with the overlap that is to go: its depth at the last

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include <plumb/math/detail/sorting.h>
 #include <plumb/math/trig.h>
 #include <plumb/space/detail/shape_radii.h>
 
@@ -81,9 +82,7 @@ void BodyPaths::sortSegments() {
     if (!sorted_.empty()) return;
     sorted_.resize(trajectories_.size());
     std::iota(sorted_.begin(), sorted_.end(), 0U);
-    std::stable_sort(sorted_.begin(), sorted_.end(), [this](std::uint32_t a, std::uint32_t b) {
-        return trajectories_[a].body < trajectories_[b].body;
-    });
+    sortBy(sorted_, [this](std::uint32_t i) { return trajectories_[i].body; });
 }
 
 }  // namespace plumb

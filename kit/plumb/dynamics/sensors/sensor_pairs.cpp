@@ -8,6 +8,7 @@
 
 #include <plumb/collide/lanes/pair_lanes.h>
 #include <plumb/dynamics/contacts/bounds.h>
+#include <plumb/math/detail/sorting.h>
 #include <plumb/space/detail/shape_radii.h>
 
 namespace plumb {
@@ -134,11 +135,8 @@ private:
 
     /// The order in which the space finds shapes depends on what is far away.
     void keepOnce() {
-        const auto rank = [](const SensorPair& p) { return std::tuple(p.sensor, p.visitor, p.shift.x(), p.shift.y()); };
-        std::sort(pairs_.begin(), pairs_.end(),
-                  [&](const SensorPair& a, const SensorPair& b) { return rank(a) < rank(b); });
-        const auto isSame = [&](const SensorPair& a, const SensorPair& b) { return rank(a) == rank(b); };
-        pairs_.erase(std::unique(pairs_.begin(), pairs_.end(), isSame), pairs_.end());
+        sortOnceBy(pairs_,
+                   [](const SensorPair& p) { return std::tuple(p.sensor, p.visitor, p.shift.x(), p.shift.y()); });
     }
 
     const BodyStore& bodies_;

@@ -9,6 +9,7 @@
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/sensors/body_paths.h>
 #include <plumb/dynamics/sensors/sensor_pairs.h>
+#include <plumb/math/detail/sorting.h>
 
 namespace plumb {
 
@@ -19,19 +20,18 @@ auto keyOf(const ShapeId& id) {
     return std::tuple(id.body.index, id.body.generation, id.number);
 }
 
-bool isBefore(const SensorBegin& a, const SensorBegin& b) {
-    return std::tuple_cat(keyOf(a.sensor), keyOf(a.visitor)) < std::tuple_cat(keyOf(b.sensor), keyOf(b.visitor));
+auto rankOf(const SensorBegin& visit) {
+    return std::tuple_cat(keyOf(visit.sensor), keyOf(visit.visitor));
 }
 
-bool isSame(const SensorBegin& a, const SensorBegin& b) {
-    return a.sensor == b.sensor && a.visitor == b.visitor;
+bool isBefore(const SensorBegin& a, const SensorBegin& b) {
+    return rankOf(a) < rankOf(b);
 }
 
 /// A chain or a tile map is many proxies and one shape: its pieces make one visit. Test: "a chain of a hundred pieces
 /// that moves across a sensor is one visitor, in once and out once"
 void sortOnce(std::vector<SensorBegin>& visits) {
-    std::sort(visits.begin(), visits.end(), isBefore);
-    visits.erase(std::unique(visits.begin(), visits.end(), isSame), visits.end());
+    sortOnceBy(visits, rankOf);
 }
 
 bool contains(const std::vector<SensorBegin>& sorted, const SensorBegin& visit) {

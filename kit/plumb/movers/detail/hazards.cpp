@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/movers/detail/slide_probe.h>
 
-#include <algorithm>
 #include <tuple>
 
 #include <plumb/collide/shape_cast.h>
+#include <plumb/math/detail/sorting.h>
 
 namespace plumb::detail {
 
@@ -67,10 +67,7 @@ std::vector<TileTouch> hazardsOn(const SlideProbe& probe, std::span<const Vec2> 
             });
         }
     }
-    std::sort(touched.begin(), touched.end(),
-              [](const TileTouch& a, const TileTouch& b) { return placeOf(a) < placeOf(b); });
-    const auto isSame = [](const TileTouch& a, const TileTouch& b) { return placeOf(a) == placeOf(b); };
-    touched.erase(std::unique(touched.begin(), touched.end(), isSame), touched.end());
+    sortOnceBy(touched, placeOf);
     return touched;
 }
 

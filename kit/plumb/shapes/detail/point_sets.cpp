@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/shapes/detail/point_sets.h>
 
-#include <algorithm>
 #include <array>
 #include <numeric>
+#include <tuple>
+
+#include <plumb/math/detail/sorting.h>
 
 namespace plumb {
 namespace {
@@ -43,10 +45,7 @@ CorePoints corePointsOf(const Shape& shape) {
 HullIndices hullOutline(std::span<const Vec2> points) {
     HullIndices sorted(points.size());
     std::iota(sorted.begin(), sorted.end(), std::size_t{0});
-    std::sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
-        if (points[a].x() != points[b].x()) return points[a].x() < points[b].x();
-        return points[a].y() != points[b].y() ? points[a].y() < points[b].y() : a < b;
-    });
+    sortBy(sorted, [&](std::size_t i) { return std::tuple(points[i].x(), points[i].y()); });
     HullIndices hull;
     const auto add = [&](std::size_t index, std::size_t least) {
         const auto turnsLeft = [&] {

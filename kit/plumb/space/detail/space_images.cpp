@@ -6,6 +6,8 @@
 #include <plumb/math/detail/step_list.h>
 #include <plumb/space/detail/space.h>
 
+#include <plumb/math/detail/sorting.h>
+
 namespace plumb {
 
 namespace {
@@ -77,9 +79,8 @@ void Space::addShiftedPair(ProxyId memberA, ProxyId memberB) {
 }
 
 void Space::sortShiftedPairs() {
-    std::sort(shiftedPairs_.begin(), shiftedPairs_.end(), [](const ShiftedPair& p, const ShiftedPair& q) {
-        const auto rank = [](const ShiftedPair& s) { return std::tuple(s.pair.a, s.pair.b, s.image.y(), s.image.x()); };
-        return rank(p) < rank(q);
+    sortBy(shiftedPairs_, [](const ShiftedPair& found) {
+        return std::tuple(found.pair.a, found.pair.b, found.image.y(), found.image.x());
     });
     for (const ShiftedPair& found : shiftedPairs_) {
         pairs_.push_back(found.pair);

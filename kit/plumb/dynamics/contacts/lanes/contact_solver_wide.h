@@ -117,8 +117,7 @@ struct WideContacts {
 
     /// The first half of a sub-step: a gap may close within h (hard), an overlap is pushed out at the soft rate, but
     /// not faster than pushSpeed. bias: s/h, or biasRate s; share: massScale of softness.h.
-    [[gnu::always_inline]] static inline void solveLanes(ContactBatch& batch, int lane, const SolverBodies& bodies,
-                                                         const ContactPass& pass) {
+    static void solveLanes(ContactBatch& batch, int lane, const SolverBodies& bodies, const ContactPass& pass) {
         Contact c = load(batch, lane, bodies.velocity);
         const Each old = each(batch, lane, &PointLanes::normalImpulse);
         Each speed, share;
