@@ -160,12 +160,11 @@ void collide(Step& s) {
 /// After collide, which says which contacts there are, and before solve, from which it takes those that are impacts.
 void solveImpacts(Step& s) {
     WorldState& w = s.world;
-    const ImpactStores stores{w.contacts, w.bodies, w.fields, w.space, s.observer()};
-    TouchEvents touches = solveIsolatedImpacts(w.graph, stores, w.trajectories, s.dt, w.hitSpeed);
-    const WallTouchStores touched{w.graph, w.contacts, w.bodies, w.space, s.observer()};
+    ImpactStores stores{{w.graph, w.contacts, w.bodies, w.space, s.observer()}, w.fields};
+    TouchEvents touches = solveIsolatedImpacts(stores, w.trajectories, s.dt, w.hitSpeed);
     if (w.walls > 0)
         for (const WallImpact& impact : stopFlights(stores, w.trajectories, s.dt))
-            reportWallImpact(touched, impact, s.dt, w.hitSpeed, touches);
+            reportWallImpact(stores, impact, s.dt, w.hitSpeed, touches);
     s.report(touches);
 }
 
@@ -175,8 +174,13 @@ void solve(Step& s) {
     w.graph.sortOverflow(w.contacts);
     StepList<ChainSlideEnd> slides;
     if (w.chainPieces > 0) slides = findChainSlides(w.bodies, w.contacts, w.space, s.dt);
-    s.report(solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.joints, *w.jointSolver, w.solver,
-                               s.observer(), w.walls > 0, w.hitSpeed},
+    s.report(solveConstraints({{w.graph, w.contacts, w.bodies, w.space, s.observer()},
+                               w.fields,
+                               w.joints,
+                               *w.jointSolver,
+                               w.solver,
+                               w.walls > 0,
+                               w.hitSpeed},
                               s.dt));
     moveAlongChains(w.bodies, slides, s.dt, s.observer());
 }

@@ -14,7 +14,7 @@ constexpr int mostFlightStops = 8;
 
 class FlightStops {
 public:
-    FlightStops(const ImpactStores& stores, double dt)
+    FlightStops(ImpactStores& stores, double dt)
         : stores_(stores), view_{stores.bodies, stores.contacts, stores.space}, dt_(dt) {}
 
     /// Searches a segment. If its body meets a wall, the segment ends there, the impact is solved, and a new segment
@@ -62,7 +62,7 @@ private:
         return search.first().has_value();
     }
 
-    const ImpactStores& stores_;
+    ImpactStores& stores_;
     WallView view_;
     double dt_;
     StepList<WallImpact> impacts_;
@@ -72,7 +72,7 @@ private:
 
 /// Once a body was stopped, the rest of its segments belongs to a path that it did not take, so they are dropped. What
 /// it hit on that path keeps the impulse: to undo that, all later impacts would have to be solved anew.
-StepList<WallImpact> stopFlights(const ImpactStores& stores, Trajectories& trajectories, double dt) {
+StepList<WallImpact> stopFlights(ImpactStores& stores, Trajectories& trajectories, double dt) {
     FlightStops stops(stores, dt);
     StepList<TrajectorySegment> all, path;
     StepList<BodyIndex> stopped;

@@ -13,6 +13,6 @@
 namespace plumb {
 
 /// Call this when impacts have moved their bodies. Returns the impacts at walls; the trajectories get the new paths.
-StepList<WallImpact> stopFlights(const ImpactStores& stores, Trajectories& trajectories, double dt);
+StepList<WallImpact> stopFlights(ImpactStores& stores, Trajectories& trajectories, double dt);
 
 }  // namespace plumb

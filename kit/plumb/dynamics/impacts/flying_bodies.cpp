@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-FlyingBodies::FlyingBodies(const ImpactStores& stores, double dt)
+FlyingBodies::FlyingBodies(ImpactStores& stores, double dt)
     : stores_(stores), dt_(dt), numberOf_(stores.bodies.record.size(), none) {}
 
 /// The table from bodies to numbers is as long as the world has bodies, but only bodies with a pair get a record: in

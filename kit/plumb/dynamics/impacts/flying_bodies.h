@@ -10,17 +10,14 @@
 #include <plumb/dynamics/bodies/time_of_impact.h>
 #include <plumb/dynamics/contacts/contact_store.h>
 #include <plumb/dynamics/fields/field_flight.h>
+#include <plumb/dynamics/meetings/wall_impact.h>
 #include <plumb/math/detail/step_list.h>
 
 namespace plumb {
 
 /// The stores that impacts read and write.
-struct ImpactStores {
-    ContactStore& contacts;
-    BodyStore& bodies;
+struct ImpactStores : MeetingStores {
     FieldStore& fields;
-    const Space& space;
-    StepObserver* observer = nullptr;  ///< may be null
 };
 
 /// The number of a body in FlyingBodies.
@@ -56,7 +53,7 @@ struct FlyingFields {
 /// through the step here, or all of it is left to the solver.
 class FlyingBodies {
 public:
-    FlyingBodies(const ImpactStores& stores, double dt);
+    FlyingBodies(ImpactStores& stores, double dt);
     void reserve(std::size_t bodies) { bodies_.reserve(std::min(bodies, numberOf_.size())); }
 
     /// The number of a body; a body that is new gets one. isObstacle: the solver moves it, or it sleeps, so impacts do
@@ -95,7 +92,7 @@ private:
     void renewFields(FlyingBody& body);
     FlyingFields* fieldsOf(const FlyingBody& body) { return body.fields == none ? nullptr : &fields_[body.fields]; }
 
-    const ImpactStores& stores_;
+    ImpactStores& stores_;
     double dt_;
     StepList<FlyingBody> bodies_;
     StepList<FlyingFields> fields_;

@@ -81,7 +81,7 @@ bool isLetThrough(const ImpactStores& stores, const FlyingBodies& bodies, const 
 /// In order: both bodies to the place where they meet, their true speeds there with fields, the one or two points that
 /// touch, the impulses, their energy, and both flights begin anew. B is seen as the periodic image near A, and put back
 /// at the end.
-bool solvePair(const ImpactStores& stores, FlyingBodies& bodies, const ImpactPair& pair, double time,
+bool solvePair(ImpactStores& stores, FlyingBodies& bodies, const ImpactPair& pair, double time,
                ImpactOutcome& outcome) {
     const ContactRecord& contact = stores.contacts[pair.contact];
     const MovingPair shapes = shapesOf(stores, bodies, pair);
@@ -109,8 +109,8 @@ bool solvePair(const ImpactStores& stores, FlyingBodies& bodies, const ImpactPai
 /// Leaves the contact as the solver would: its impulses can be read as forces over dt, and it is watched until its
 /// surfaces are apart. The impacts of a step begin one touch; if an older one was going on, it ends first, so that
 /// begins and ends alternate.
-void storeOutcome(const ImpactStores& stores, ContactIndex index, const ImpactOutcome& outcome, double dt,
-                  double hitSpeed, TouchEvents& touches) {
+void storeOutcome(ImpactStores& stores, ContactIndex index, const ImpactOutcome& outcome, double dt, double hitSpeed,
+                  TouchEvents& touches) {
     ContactRecord& contact = stores.contacts[index];
     if (stores.observer != nullptr) {
         const bool pushA = stores.bodies.isDynamic(contact.bodyA), pushB = stores.bodies.isDynamic(contact.bodyB);

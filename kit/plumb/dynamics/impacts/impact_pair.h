@@ -36,10 +36,9 @@ std::optional<double> nextImpact(const ImpactStores& stores, const FlyingBodies&
 bool isLetThrough(const ImpactStores& stores, const FlyingBodies& bodies, const ImpactPair& pair, double time);
 /// Moves the two bodies to where they meet and applies the impact. False if they do not meet at that time, because they
 /// spin too fast for the search, or overlap deeply; then nothing has changed.
-bool solvePair(const ImpactStores& stores, FlyingBodies& bodies, const ImpactPair& pair, double time,
-               ImpactOutcome& outcome);
+bool solvePair(ImpactStores& stores, FlyingBodies& bodies, const ImpactPair& pair, double time, ImpactOutcome& outcome);
 /// Stores the outcome in the contact, and reports it. Impacts faster than hitSpeed [m/s] are hits.
-void storeOutcome(const ImpactStores& stores, ContactIndex contact, const ImpactOutcome& outcome, double dt,
-                  double hitSpeed, TouchEvents& touches);
+void storeOutcome(ImpactStores& stores, ContactIndex contact, const ImpactOutcome& outcome, double dt, double hitSpeed,
+                  TouchEvents& touches);
 
 }  // namespace plumb

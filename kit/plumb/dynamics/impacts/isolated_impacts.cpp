@@ -30,7 +30,7 @@ constexpr std::size_t predictionsPerPair = 32, freePredictions = 2000;
 /// predictions cost O(k log k).
 class ImpactEvents {
 public:
-    ImpactEvents(const ImpactStores& stores, const ImpactCandidates& candidates, double dt);
+    ImpactEvents(ImpactStores& stores, const ImpactCandidates& candidates, double dt);
 
     /// Solves impact after impact to the end of the step.
     void run();
@@ -69,7 +69,7 @@ private:
     bool spins(const ImpactPair& pair) const;
     bool isSpent(const ImpactPair& pair) const;
 
-    const ImpactStores& stores_;
+    ImpactStores& stores_;
     const ImpactCandidates& candidates_;
     double dt_;
     FlyingBodies bodies_;
@@ -82,7 +82,7 @@ private:
 
 }  // namespace
 
-ImpactEvents::ImpactEvents(const ImpactStores& stores, const ImpactCandidates& candidates, double dt)
+ImpactEvents::ImpactEvents(ImpactStores& stores, const ImpactCandidates& candidates, double dt)
     : stores_(stores),
       candidates_(candidates),
       dt_(dt),
@@ -238,8 +238,8 @@ namespace {
 
 /// Takes the contact from the solver for this step: impacts move its bodies, or nothing moved them towards each other.
 /// Its stored impulses go, because those of a bounce are no first guess for the next step.
-void takeFromSolver(ContactGraph& graph, const ImpactStores& stores, ContactIndex index) {
-    graph.remove(stores.bodies, stores.contacts, index);
+void takeFromSolver(ImpactStores& stores, ContactIndex index) {
+    stores.graph.remove(stores.bodies, stores.contacts, index);
     stores.contacts.addNear(index);
     ContactRecord& contact = stores.contacts[index];
     contact.state = ContactState::Impact;
@@ -271,11 +271,10 @@ bool gaveImpulse(const ImpactOutcome& outcome) {
 /// Called in each step after collide and before solve. Contacts that stay in the solver's slots are solved there; those
 /// of impacts that happened are taken out and get their outcome. Candidates whose bodies met nothing are taken out,
 /// too: their bodies move on their closed form, and the solver would only find that nothing presses there.
-TouchEvents solveIsolatedImpacts(ContactGraph& graph, const ImpactStores& stores, Trajectories& trajectories, double dt,
-                                 double hitSpeed) {
+TouchEvents solveIsolatedImpacts(ImpactStores& stores, Trajectories& trajectories, double dt, double hitSpeed) {
     TouchEvents touches;
     endImpacts(stores.contacts);
-    const ImpactCandidates candidates = findImpactCandidates(graph, stores.contacts, stores.bodies, dt);
+    const ImpactCandidates candidates = findImpactCandidates(stores.graph, stores.contacts, stores.bodies, dt);
     if (candidates.contacts.empty()) return touches;
     ImpactEvents events(stores, candidates, dt);
     events.run();
@@ -284,7 +283,7 @@ TouchEvents solveIsolatedImpacts(ContactGraph& graph, const ImpactStores& stores
         const ContactRecord& contact = stores.contacts[pair.contact];
         const bool happened = pair.impacts > 0 && gaveImpulse(events.outcomeOf(pair)) &&
                               !events.isLeft(contact.bodyA) && !events.isLeft(contact.bodyB);
-        if (happened || (contact.isSolved() && !isKept(events, contact))) takeFromSolver(graph, stores, pair.contact);
+        if (happened || (contact.isSolved() && !isKept(events, contact))) takeFromSolver(stores, pair.contact);
         if (happened) storeOutcome(stores, pair.contact, events.outcomeOf(pair), dt, hitSpeed, touches);
     }
     return touches;

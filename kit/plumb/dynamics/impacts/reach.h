@@ -13,7 +13,7 @@ namespace plumb {
 
 class Reach {
 public:
-    Reach(const ImpactStores& stores, double dt) : stores_(stores), dt_(dt) {}
+    Reach(ImpactStores& stores, double dt) : stores_(stores), dt_(dt) {}
 
     /// If the rest of a body's flight leaves its bounds: makes a contact with each shape there, and adds it to a list.
     void extend(const FlyingBody& body, StepList<ContactIndex>& added);
@@ -28,7 +28,7 @@ private:
     Aabb sweptBoxOf(const FlyingBody& body, ProxyId proxy) const;
     void meet(ProxyId own, ProxyId other, const Vec2& shift, StepList<ContactIndex>& added);
 
-    const ImpactStores& stores_;
+    ImpactStores& stores_;
     double dt_;
     StepList<Leaving> leaving_;
 };

@@ -28,7 +28,7 @@ StepList<BodyIndex> islandOf(const SleepStores& stores, BodyIndex seed) {
     return island;
 }
 
-void putContactToSleep(const SleepStores& stores, BodyIndex body, ContactIndex index) {
+void putContactToSleep(SleepStores& stores, BodyIndex body, ContactIndex index) {
     ContactRecord& contact = stores.contacts[index];
     if (stores.bodies.record[otherOf(contact, body)].awake) {  // it is collided until that one sleeps, but not solved
         if (contact.isSolved()) renewContact(stores.graph, stores.contacts, stores.bodies, index);
@@ -40,7 +40,7 @@ void putContactToSleep(const SleepStores& stores, BodyIndex body, ContactIndex i
 
 /// First all bodies, then their contacts: only then is it known of which contacts both bodies sleep. What is left of
 /// the velocity is below sleepSpeed, or belongs to a body that the program puts to sleep.
-void putToSleep(const SleepStores& stores, const StepList<BodyIndex>& island) {
+void putToSleep(SleepStores& stores, const StepList<BodyIndex>& island) {
     BodyStore& bodies = stores.bodies;
     for (const BodyIndex body : island) {
         // A sleeper's bounds are not placed in any step: they must contain it now.
@@ -57,7 +57,7 @@ void putToSleep(const SleepStores& stores, const StepList<BodyIndex>& island) {
 
 }  // namespace
 
-void sleepIsland(const SleepStores& stores, BodyIndex body) {
+void sleepIsland(SleepStores stores, BodyIndex body) {
     if (!stores.bodies.record[body].awake) return;
     if (!stores.bodies.isDynamic(body)) {
         putToSleep(stores, {body});
@@ -68,11 +68,10 @@ void sleepIsland(const SleepStores& stores, BodyIndex body) {
     if (std::none_of(island.begin(), island.end(), carried)) putToSleep(stores, island);
 }
 
-StepList<BodyIndex> sleepIslands(const SleepStores& stores, const SolverSettings& settings, double dt) {
+StepList<BodyIndex> sleepIslands(SleepStores stores, const SolverSettings& settings, double dt) {
     StepList<BodyIndex> sleepers;
     if (!countStillness(stores.bodies, stores.contacts, stores.joints, settings, dt)) return sleepers;
-    const IslandView view{stores.bodies, stores.contacts, stores.joints, stores.space};
-    for (const StepList<BodyIndex>& island : findStillIslands(view, settings)) {
+    for (const StepList<BodyIndex>& island : findStillIslands(stores, settings)) {
         putToSleep(stores, island);
         sleepers.insert(sleepers.end(), island.begin(), island.end());
     }

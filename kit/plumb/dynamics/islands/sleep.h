@@ -15,30 +15,15 @@
 //   ever, mutual gravity or a magnet that is awake acts on it, the program pushes it, moves it, or changes it or its
 //   joints between steps, if only by a force of 0.
 #pragma once
-#include <vector>
-
-#include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/dynamics/joints/joint_store.h>
-#include <plumb/dynamics/solver_settings.h>
-#include <plumb/math/detail/step_list.h>
-#include <plumb/space/detail/space.h>
+#include <plumb/dynamics/islands/still_islands.h>
 
 namespace plumb {
 
-/// The stores that putting bodies to sleep reads and writes.
-struct SleepStores {
-    BodyStore& bodies;
-    ContactGraph& graph;
-    ContactStore& contacts;
-    JointStore& joints;
-    Space& space;
-};
-
 /// Puts a body and its whole island to sleep: all bodies connected with it by contacts and joints. Does nothing if an
 /// awake kinematic body touches the island or is joined to it. A body that is not dynamic is put to sleep alone.
-void sleepIsland(const SleepStores& stores, BodyIndex body);
+void sleepIsland(SleepStores stores, BodyIndex body);
 /// Counts how long each body has been still, and puts those islands to sleep in which all bodies have been still for
 /// long enough. Returns the bodies that fell asleep.
-StepList<BodyIndex> sleepIslands(const SleepStores& stores, const SolverSettings& settings, double dt);
+StepList<BodyIndex> sleepIslands(SleepStores stores, const SolverSettings& settings, double dt);
 
 }  // namespace plumb

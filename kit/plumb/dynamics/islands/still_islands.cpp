@@ -23,21 +23,21 @@ float reachOf(const BodyStore& bodies, BodyIndex body) {
 /// Would one of the two bodies wake the other if that one slept? The same question as that of the narrow phase
 /// (NarrowPhase::noteSleepers), so that no island falls asleep to be woken in the next step. Test: "a pit of capsules
 /// falls asleep, although some are near without touching"
-bool wouldWake(const IslandView& view, const ContactRecord& contact) {
-    const BodyStore& bodies = view.bodies;
+bool wouldWake(const SleepStores& stores, const ContactRecord& contact) {
+    const BodyStore& bodies = stores.bodies;
     if (letsPass(contact.verdict)) return false;
     const float distance = wakeDistance + std::max(reachOf(bodies, contact.bodyA), reachOf(bodies, contact.bodyB));
     const BodyMotion b = shifted(bodies.motion[contact.bodyB], contact.shift);
     const RelativePose pose = relativePose(bodies.motion[contact.bodyA], b);
-    return manifold(view.space[contact.proxyA].convex, view.space[contact.proxyB].convex, pose, distance).count > 0;
+    return manifold(stores.space[contact.proxyA].convex, stores.space[contact.proxyB].convex, pose, distance).count > 0;
 }
 
 /// A search begins at a body that has been still for long enough. It ends at the first that has not, or whose island is
 /// known to stay awake: so a heap in which something moves costs a few looks, not a walk through it.
 class IslandSearch {
 public:
-    IslandSearch(const IslandView& view, double sleepTime)
-        : view_(view), sleepTime_(sleepTime), marks_(view.bodies.record.size(), Mark::None) {}
+    IslandSearch(SleepStores& stores, double sleepTime)
+        : stores_(stores), sleepTime_(sleepTime), marks_(stores.bodies.record.size(), Mark::None) {}
 
     bool mayBeginAt(BodyIndex body) const { return marks_[body] == Mark::None && isReady(body) && !isBlocked(body); }
 
@@ -49,7 +49,7 @@ public:
         // First all that touches or is joined, which is cheap to find; only then what is near.
         for (std::size_t joined = 0, near = 0; still_ && near < island_.size();) {
             if (joined < island_.size())
-                anyNeighbour(view_.bodies, view_.contacts, view_.joints, island_[joined++],
+                anyNeighbour(stores_.bodies, stores_.contacts, stores_.joints, island_[joined++],
                              [this](BodyIndex other) { return !reach(other); });
             else
                 reachNear(island_[near++]);
@@ -67,22 +67,22 @@ private:
     enum class Mark : std::uint8_t { None, Found, StaysAwake };
 
     bool isReady(BodyIndex body) const {
-        return view_.bodies.canMove(body) && view_.bodies.record[body].stillTime >= sleepTime_;
+        return stores_.bodies.canMove(body) && stores_.bodies.record[body].stillTime >= sleepTime_;
     }
 
     /// Is a body that kept the island awake not long ago still restless? To find that out again for the whole island in
     /// each step would take long.
     bool isBlocked(BodyIndex body) const {
-        const StillWatch& watch = view_.bodies.watch[body];
-        return watch.blocker != noBody && view_.bodies.record[body].stillTime < watch.blockedUntil &&
+        const StillWatch& watch = stores_.bodies.watch[body];
+        return watch.blocker != noBody && stores_.bodies.record[body].stillTime < watch.blockedUntil &&
                !isReady(watch.blocker);
     }
 
     void block(BodyIndex body) {
         marks_[body] = Mark::StaysAwake;
-        StillWatch& watch = view_.bodies.watch[body];
+        StillWatch& watch = stores_.bodies.watch[body];
         watch.blocker = blocker_;
-        watch.blockedUntil = view_.bodies.record[body].stillTime + blockedFor_;
+        watch.blockedUntil = stores_.bodies.record[body].stillTime + blockedFor_;
     }
 
     /// Returns whether the island may still sleep.
@@ -95,25 +95,25 @@ private:
             island_.push_back(body);
             return true;
         }
-        const StillWatch& watch = view_.bodies.watch[body];
+        const StillWatch& watch = stores_.bodies.watch[body];
         blocker_ = ready ? watch.blocker : body;
-        blockedFor_ = ready ? watch.blockedUntil - view_.bodies.record[body].stillTime : sleepTime_;
+        blockedFor_ = ready ? watch.blockedUntil - stores_.bodies.record[body].stillTime : sleepTime_;
         return false;
     }
 
     void reachNear(BodyIndex body) {
-        anyContact(view_.bodies, view_.contacts, body, [&](ContactIndex index) {
-            const ContactRecord& contact = view_.contacts[index];
+        anyContact(stores_.bodies, stores_.contacts, body, [&](ContactIndex index) {
+            const ContactRecord& contact = stores_.contacts[index];
             const BodyIndex other = otherOf(contact, body);
             // What touches was found before; manifolds are computed only for the rest.
             if (contact.touching || marks_[other] == Mark::Found) return false;
             const bool wakes =
-                view_.bodies.canMove(other) && view_.bodies.record[other].awake && wouldWake(view_, contact);
+                stores_.bodies.canMove(other) && stores_.bodies.record[other].awake && wouldWake(stores_, contact);
             return wakes && !reach(other);
         });
     }
 
-    IslandView view_;
+    SleepStores& stores_;
     double sleepTime_;
     StepList<Mark> marks_;
     StepList<BodyIndex> island_;
@@ -123,14 +123,14 @@ private:
 };
 
 /// Begins to watch the driven bodies of an island again. Returns whether there are any.
-bool watchDriven(const IslandView& view, const SolverSettings& settings, const StepList<BodyIndex>& island) {
+bool watchDriven(SleepStores& stores, const SolverSettings& settings, const StepList<BodyIndex>& island) {
     bool driven = false;
     for (const BodyIndex body : island) {
-        if (!isCarried(view.bodies, view.contacts, view.joints, body) &&
-            !isDriven(view.bodies, view.contacts, view.joints, settings, body))
+        if (!isCarried(stores.bodies, stores.contacts, stores.joints, body) &&
+            !isDriven(stores.bodies, stores.contacts, stores.joints, settings, body))
             continue;
         // Its watch begins anew: an island with a running drive is searched again after sleepTime, not in each step.
-        view.bodies.record[body].stillTime = 0;
+        stores.bodies.record[body].stillTime = 0;
         driven = true;
     }
     return driven;
@@ -138,13 +138,13 @@ bool watchDriven(const IslandView& view, const SolverSettings& settings, const S
 
 }  // namespace
 
-StepList<StepList<BodyIndex>> findStillIslands(const IslandView& view, const SolverSettings& settings) {
+StepList<StepList<BodyIndex>> findStillIslands(SleepStores& stores, const SolverSettings& settings) {
     StepList<StepList<BodyIndex>> islands;
-    IslandSearch search(view, settings.sleepTime);
-    for (const BodyIndex seed : view.bodies.awake) {
+    IslandSearch search(stores, settings.sleepTime);
+    for (const BodyIndex seed : stores.bodies.awake) {
         if (!search.mayBeginAt(seed)) continue;
         StepList<BodyIndex> island = search.islandOf(seed);
-        if (!island.empty() && !watchDriven(view, settings, island)) islands.push_back(std::move(island));
+        if (!island.empty() && !watchDriven(stores, settings, island)) islands.push_back(std::move(island));
     }
     return islands;
 }

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <plumb/dynamics/contacts/contact_store.h>
+#include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/joints/joint_store.h>
 #include <plumb/dynamics/solver_settings.h>
 #include <plumb/math/detail/step_list.h>
@@ -11,17 +11,19 @@
 
 namespace plumb {
 
-/// The stores that the search for still islands reads. Of the bodies it writes how long they have been still.
-struct IslandView {
+/// The stores that are read to find who may sleep, and written to put them to sleep.
+struct SleepStores {
     BodyStore& bodies;
-    const ContactStore& contacts;
-    const JointStore& joints;
-    const Space& space;
+    ContactGraph& graph;
+    ContactStore& contacts;
+    JointStore& joints;
+    Space& space;
 };
 
 /// The islands in which all bodies have been still for SolverSettings.sleepTime, and nothing is driven or carried. The
 /// bodies that a body would wake, if it alone slept, belong to its island here, also if they do not touch it. In an
-/// island that only a drive keeps awake, the bodies that are driven are watched again from now on.
-StepList<StepList<BodyIndex>> findStillIslands(const IslandView& view, const SolverSettings& settings);
+/// island that only a drive keeps awake, the bodies that are driven are watched again from now on: of the bodies it
+/// writes how long they have been still.
+StepList<StepList<BodyIndex>> findStillIslands(SleepStores& stores, const SolverSettings& settings);
 
 }  // namespace plumb

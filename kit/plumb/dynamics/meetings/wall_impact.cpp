@@ -43,7 +43,7 @@ WallImpact solveWallImpact(const WallView& view, const WallHit& hit, const BodyM
 namespace {
 
 /// A body that was deflected may meet a wall for which it has no contact: then one is made.
-ContactIndex contactOf(const WallTouchStores& stores, const ShiftedShapes& pair) {
+ContactIndex contactOf(MeetingStores& stores, const ShiftedShapes& pair) {
     const ContactIndex found = findContact(stores.contacts, stores.bodies, stores.space, pair);
     if (found != none) return found;
     return addEarlyContact(stores.contacts, stores.bodies, stores.space, pair);
@@ -78,7 +78,7 @@ void addToOther(ContactStore& contacts, ContactIndex index, const WallImpact& im
 
 }  // namespace
 
-void reportWallImpact(const WallTouchStores& stores, const WallImpact& impact, double dt, double hitSpeed,
+void reportWallImpact(MeetingStores& stores, const WallImpact& impact, double dt, double hitSpeed,
                       TouchEvents& touches) {
     if (stores.observer != nullptr)
         stores.observer->noteImpact(impact.friction, impact.drivers, impact.bounce, impact.onB);

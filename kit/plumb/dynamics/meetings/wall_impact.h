@@ -24,8 +24,8 @@ BodyMotion wallMotionAt(const WallHit& hit, double duration);
 WallImpact solveWallImpact(const WallView& view, const WallHit& hit, const BodyMotion& wall, const BodyMotion& body,
                            MeetingBodies& bodies);
 
-/// The stores that reporting reads and writes.
-struct WallTouchStores {
+/// The stores that what meets reads and writes.
+struct MeetingStores {
     ContactGraph& graph;
     ContactStore& contacts;
     BodyStore& bodies;
@@ -35,7 +35,7 @@ struct WallTouchStores {
 
 /// Adds the impulses of an impact, in a step of dt [s], to the contact of its two shapes, which is made if there is
 /// none, and adds its events. Impacts faster than hitSpeed [m/s] are hits.
-void reportWallImpact(const WallTouchStores& stores, const WallImpact& impact, double dt, double hitSpeed,
+void reportWallImpact(MeetingStores& stores, const WallImpact& impact, double dt, double hitSpeed,
                       TouchEvents& touches);
 
 }  // namespace plumb

@@ -84,7 +84,7 @@ using ContactWork = void (*ContactSolver::*)(ContactBatch*, std::size_t, const S
 /// physics simulation", SCA 2019.
 class Solver {
 public:
-    Solver(const SolverStores& stores, double dt)
+    Solver(SolverStores& stores, double dt)
         : stores_(stores),
           bodies_(stores.bodies),
           observer_(stores.observer),
@@ -275,7 +275,7 @@ private:
         storeMotion(bodies_, body, motion);
     }
 
-    const SolverStores& stores_;
+    SolverStores& stores_;
     BodyStore& bodies_;
     StepObserver* observer_;
     JointSolver& joints_;
@@ -296,14 +296,14 @@ private:
 
 /// Called once a step, after impacts and before moveFree. Slot 0 stands for all that is fixed, and fills up lists: it
 /// must be at rest. The limits of speed are set before the solver is made, because its list of bodies depends on them.
-TouchEvents solveConstraints(const SolverStores& stores, double dt) {
+TouchEvents solveConstraints(SolverStores stores, double dt) {
     stores.bodies.rest(noBody);
     if (stores.hasWalls) limitByWalls(stores.bodies, stores.contacts, stores.space, dt);
     Solver solver(stores, dt);
     solver.run(dt);
     TouchEvents touches;
-    const WallTouchStores found{stores.graph, stores.contacts, stores.bodies, stores.space, stores.observer};
-    for (const WallImpact& impact : solver.wallImpacts()) reportWallImpact(found, impact, dt, stores.hitSpeed, touches);
+    for (const WallImpact& impact : solver.wallImpacts())
+        reportWallImpact(stores, impact, dt, stores.hitSpeed, touches);
     return touches;
 }
 

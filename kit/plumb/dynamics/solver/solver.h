@@ -11,26 +11,22 @@
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/dynamics/fields/field_store.h>
 #include <plumb/dynamics/jointed/joint_solver.h>
+#include <plumb/dynamics/meetings/wall_impact.h>
 
 namespace plumb {
 
 /// The stores that the solver reads and writes.
-struct SolverStores {
-    ContactGraph& graph;
-    ContactStore& contacts;
-    BodyStore& bodies;
+struct SolverStores : MeetingStores {
     FieldStore& fields;
-    const Space& space;
     JointStore& joints;
     JointSolver& jointSolver;
     const SolverSettings& settings;
-    StepObserver* observer = nullptr;  ///< may be null
-    bool hasWalls = true;              ///< there are shapes of static or kinematic bodies
-    double hitSpeed = 0;               ///< faster impacts are hits [m/s]
+    bool hasWalls = true;  ///< there are shapes of static or kinematic bodies
+    double hitSpeed = 0;   ///< faster impacts are hits [m/s]
 };
 
 /// Moves the constrained bodies by dt [s]. A body that got no impulse is not moved here; it moves by its closed form
 /// later. Returns the touches of bodies that were stopped at walls.
-TouchEvents solveConstraints(const SolverStores& stores, double dt);
+TouchEvents solveConstraints(SolverStores stores, double dt);
 
 }  // namespace plumb

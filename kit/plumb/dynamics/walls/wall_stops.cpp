@@ -52,7 +52,7 @@ double turnBy(const BodyStore& bodies, BodyIndex body, const SolverVelocity& v, 
 
 }  // namespace
 
-WallStops::WallStops(const WallStopStores& stores, double h)
+WallStops::WallStops(WallStopStores stores, double h)
     : stores_(stores), bodies_(stores.bodies), view_{stores.bodies, stores.contacts, stores.space}, h_(h) {}
 
 /// Would it move by more than farShare of its inradius in a whole step? The limits of SolverTurn are bounds; this is

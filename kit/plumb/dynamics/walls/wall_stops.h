@@ -31,7 +31,7 @@ struct WallStopStores {
 class WallStops {
 public:
     /// h: length of a sub-step [s]
-    WallStops(const WallStopStores& stores, double h);
+    WallStops(WallStopStores stores, double h);
 
     /// Call this after the bodies have moved in a sub-step that began at this time since the step's start [s].
     void afterMove(std::span<const FastBody> fast, double start);
