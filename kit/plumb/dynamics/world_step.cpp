@@ -82,6 +82,7 @@ public:
         return {w.bodies, w.fields, w.graph, w.joints, w.space, *w.jointSolver};
     }
     StepObserver* observer() { return audit_ ? &*audit_ : nullptr; }
+    MeetingStores meetingStores() { return {world.graph, world.contacts, world.bodies, world.space, observer()}; }
     void wake(std::span<const BodyIndex> named) { wakeIslands(world.bodies, world.contacts, world.joints, named); }
     void report(const TouchEvents& touches) { world.events.add(touches, world.bodies, world.space, world.tiles); }
 
@@ -160,7 +161,7 @@ void collide(Step& s) {
 /// After collide, which says which contacts there are, and before solve, from which it takes those that are impacts.
 void solveImpacts(Step& s) {
     WorldState& w = s.world;
-    ImpactStores stores{{w.graph, w.contacts, w.bodies, w.space, s.observer()}, w.fields};
+    ImpactStores stores{s.meetingStores(), w.fields};
     TouchEvents touches = solveIsolatedImpacts(stores, w.trajectories, s.dt, w.hitSpeed);
     if (w.walls > 0)
         for (const WallImpact& impact : stopFlights(stores, w.trajectories, s.dt))
@@ -174,14 +175,8 @@ void solve(Step& s) {
     w.graph.sortOverflow(w.contacts);
     StepList<ChainSlideEnd> slides;
     if (w.chainPieces > 0) slides = findChainSlides(w.bodies, w.contacts, w.space, s.dt);
-    s.report(solveConstraints({{w.graph, w.contacts, w.bodies, w.space, s.observer()},
-                               w.fields,
-                               w.joints,
-                               *w.jointSolver,
-                               w.solver,
-                               w.walls > 0,
-                               w.hitSpeed},
-                              s.dt));
+    s.report(solveConstraints(
+        {s.meetingStores(), w.fields, w.joints, *w.jointSolver, w.solver, w.walls > 0, w.hitSpeed}, s.dt));
     moveAlongChains(w.bodies, slides, s.dt, s.observer());
 }
 

@@ -25,13 +25,16 @@ int rankOf(const Card& card) {
     return card.rank;
 }
 
+bool isLower(const Card& a, const Card& b) {
+    return a.rank < b.rank;
+}
+
 /// Few ranks, so that many are equal; every third list is in order already but for its last card.
 std::vector<Card> randomCards(Random& random, int seed) {
     std::vector<Card> cards(static_cast<std::size_t>(seed % 70));
     for (std::size_t i = 0; i < cards.size(); ++i)
         cards[i] = {static_cast<int>(random.uniform(0, 12)), "card number " + std::to_string(i)};
-    if (seed % 3 == 0 && !cards.empty())
-        std::stable_sort(cards.begin(), cards.end() - 1, [](const Card& a, const Card& b) { return a.rank < b.rank; });
+    if (seed % 3 == 0 && !cards.empty()) std::stable_sort(cards.begin(), cards.end() - 1, isLower);
     return cards;
 }
 
@@ -41,8 +44,7 @@ TEST_CASE("lists are sorted as by the standard library, and equal items keep the
     Random random(67);
     for (int seed = 0; seed < 2000; ++seed) {
         std::vector<Card> cards = randomCards(random, seed), expected = cards;
-        std::stable_sort(expected.begin(), expected.end(),
-                         [](const Card& a, const Card& b) { return a.rank < b.rank; });
+        std::stable_sort(expected.begin(), expected.end(), isLower);
         sortBy(cards, rankOf);
         REQUIRE(cards == expected);
     }

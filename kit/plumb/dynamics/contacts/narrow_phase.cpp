@@ -165,7 +165,7 @@ void NarrowPhase::addArrival(ContactIndex index, const FreshLanes& fresh, std::s
 /// near contacts, which changes with each that goes, also far away, and would change the colours that they get.
 void NarrowPhase::sortArrivals() {
     struct Place {
-        bool polygons;
+        bool boxes;
         std::tuple<ProxyId, ProxyId, double, double> shapes;
         std::size_t batch, lane;
     };
@@ -173,9 +173,9 @@ void NarrowPhase::sortArrivals() {
     for (std::size_t batch = 0; batch < arrivals_.size(); ++batch)
         for (std::size_t lane = 0; lane < arrivals_[batch].count; ++lane) {
             const ContactRecord& c = contacts_[arrivals_[batch].contacts[lane]];
-            order.push_back({!c.boxes, shapesOf(c), batch, lane});
+            order.push_back({c.boxes, shapesOf(c), batch, lane});
         }
-    if (!sortBy(order, [](const Place& place) { return std::tuple(place.polygons, place.shapes); })) return;
+    if (!sortBy(order, [](const Place& place) { return std::tuple(!place.boxes, place.shapes); })) return;
     const StepList<Arrivals> found = std::exchange(arrivals_, {});
     for (const Place& place : order) {
         const Arrivals& some = found[place.batch];

@@ -20,8 +20,8 @@
 namespace plumb {
 
 /// Moves the bodies whose contacts in this step are all isolated impacts, and removes those contacts from the solver's
-/// slots. All other contacts stay in the solver. Adds the ways of those
-/// bodies to trajectories. Impacts faster than hitSpeed [m/s] are hits.
+/// slots. All other contacts stay in the solver. Adds the ways of those bodies to trajectories. Impacts
+/// faster than hitSpeed [m/s] are hits.
 TouchEvents solveIsolatedImpacts(ImpactStores& stores, Trajectories& trajectories, double dt, double hitSpeed);
 
 }  // namespace plumb
