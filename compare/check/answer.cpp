@@ -9,10 +9,12 @@
 #include <optional>
 #include <vector>
 
+#include <compare/check/aimed.h>
 #include <compare/check/course.h>
 #include <compare/metric/length_text.h>
 #include <compare/scene/answer.h>
 #include <compare/scene/joint_geometry.h>
+#include <compare/scene/set_field.h>
 
 namespace plumb::compare {
 namespace {
@@ -119,11 +121,12 @@ std::string missingText(const Observation& run, const Happening& event) {
 
 std::string missingText(const Observation& run, const AnswerQuery& query) {
     if (query.when) return missingText(run, *query.when);
+    if (query.kind == AnswerQuery::Kind::Aim) return "(no shot of that speed hits " + query.aim.target + ")";
     return missingText(run, textOf(query.quantity) + " does not swing to and fro");
 }
 
 std::string textOf(const Scene& scene, const Observation& run, const Measured& measured, const AnswerQuery& query) {
-    if (query.kind == AnswerQuery::Kind::Metric) return metricText(scene, query.metric, measured);
+    if (query.kind == AnswerQuery::Kind::Metric) return metricText(scene, query.name, measured);
     const std::optional<double> value = valueOf(scene, run, query);
     return value ? numberText(*value, unitOf(scene, query)) : missingText(run, query);
 }
@@ -132,6 +135,9 @@ std::string textOf(const Scene& scene, const Observation& run, const Measured& m
 
 std::optional<double> valueOf(const Scene& scene, const Observation& run, const AnswerQuery& query) {
     using Kind = AnswerQuery::Kind;
+    if (query.kind == Kind::Gravity) return scene.gravity.norm();
+    if (query.kind == Kind::Field) return numberAt(scene, query.name);
+    if (query.kind == Kind::Aim) return aimed(scene, query.aim);
     const std::optional<double> time =
         query.when ? timeOf(courseOf(scene, run, query.when->of), *query.when) : endOf(run);
     if (!time || query.kind == Kind::Time || query.kind == Kind::Duration) return time;
@@ -140,6 +146,9 @@ std::optional<double> valueOf(const Scene& scene, const Observation& run, const 
 
 std::string unitOf(const Scene& scene, const AnswerQuery& query) {
     using Kind = AnswerQuery::Kind;
+    if (query.kind == Kind::Gravity) return "m/s^2";
+    if (query.kind == Kind::Field) return "";
+    if (query.kind == Kind::Aim) return unitOf(query.aim);
     const bool isTime = query.kind == Kind::Time || query.kind == Kind::Duration || query.kind == Kind::Period;
     return isTime ? "s" : unitOf(scene, query.quantity);
 }

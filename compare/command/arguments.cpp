@@ -54,16 +54,21 @@ double dtFrom(const std::string& text) {
 }
 
 std::vector<std::string> enginesFrom(const std::string& text, const std::vector<Engine>& known) {
-    std::vector<std::string> names, result;
-    for (const Engine& engine : known) names.push_back(engine.name);
+    std::vector<std::string> names, usual, others, result;
+    for (const Engine& engine : known) {
+        names.push_back(engine.name);
+        (engine.onDemand ? others : usual).push_back(engine.name);
+    }
     for (std::size_t start = 0; start <= text.size();) {
         const std::size_t comma = std::min(text.find(',', start), text.size());
         const std::string name = text.substr(start, comma - start);
         if (std::find(names.begin(), names.end(), name) == names.end()) {
             const Engine* absent = findKnown(name);
             const std::string hint = absent && !absent->missing.empty() ? "; " + absent->missing : "";
-            throw std::invalid_argument(fmt::format("--engines: \"{}\" is not an engine of this build, which has {}{}",
-                                                    name, fmt::join(names, ", "), hint));
+            const std::string more = others.empty() ? "" : fmt::format("; for lessons {}", fmt::join(others, ", "));
+            throw std::invalid_argument(
+                fmt::format("--engines: \"{}\" is not an engine of this build, which has {}{}{}", name,
+                            fmt::join(usual, ", "), more, hint));
         }
         result.push_back(name);
         start = comma + 1;
@@ -77,7 +82,7 @@ std::filesystem::path pathFrom(const std::string& option, const std::string& tex
 }
 
 struct Commands {
-    CLI::App *list, *check, *bench, *exportScene, *schema;
+    CLI::App *list, *check, *bench, *exportScene, *schema, *lesson;
 };
 
 void describeSet(CLI::App& command, Raw& raw) {
@@ -168,9 +173,11 @@ Commands describe(CLI::App& app, Raw& raw) {
     CLI::App* exportScene = describeExport(app, raw);
     CLI::App* schema = app.add_subcommand("schema", "print what a scene's JSON may hold, as a JSON Schema");
     schema->add_flag("--page", raw.print.page, "as tables to read, in Markdown");
-    schema->footer("");
-    list->footer("");
-    return {list, check, bench, exportScene, schema};
+    CLI::App* lesson = app.add_subcommand("lesson", "read lessons, and print them with the numbers of their runs");
+    lesson->add_option("FILE.json", raw.scenes, "files of lessons")->required();
+    lesson->add_option("--json", raw.json, "write the numbers to this file")->type_name("FILE");
+    for (CLI::App* command : {schema, list, lesson}) command->footer("");
+    return {list, check, bench, exportScene, schema, lesson};
 }
 
 std::vector<FieldSetting> settingsFrom(const std::vector<std::string>& texts) {
@@ -244,6 +251,10 @@ Arguments parseArguments(std::span<const std::string> args, const std::vector<En
     if (commands.list->parsed()) result.action = Action::ListScenes;
     if (commands.exportScene->parsed()) result.action = Action::ExportScene;
     if (commands.schema->parsed()) result.action = Action::PrintSchema;
+    if (commands.lesson->parsed()) {
+        result.action = Action::ReadLessons;
+        if (commands.lesson->count("--json") > 0) result.json = pathFrom("--json", raw.json);
+    }
     if (commands.check->parsed()) takeCheck(*commands.check, raw, known, result);
     if (commands.bench->parsed()) takeBench(*commands.bench, raw, known, result);
     return result;

@@ -18,6 +18,7 @@ enum class Action {
     CheckScenes,
     ExportScene,
     PrintSchema,
+    ReadLessons,
     Bench,
     Help,
 };
@@ -43,7 +44,7 @@ struct PageOptions {
 
 struct Arguments {
     Action action = Action::Everything;
-    std::vector<std::string> scenes;  ///< names of scenes and labs, and files, as given
+    std::vector<std::string> scenes;  ///< names of scenes and labs, and files, as given; of lessons, files
     std::string word;                 ///< that what is listed contains; empty: everything is listed
     RunOptions options;
     std::vector<FieldSetting> set;  ///< to be set in each scene

@@ -14,6 +14,7 @@
 #include <compare/command/arguments.h>
 #include <compare/command/bench_command.h>
 #include <compare/command/lab_text.h>
+#include <compare/command/lesson_command.h>
 #include <compare/command/output_file.h>
 #include <compare/command/page_files.h>
 #include <compare/command/scene_choice.h>
@@ -40,7 +41,7 @@ void makeFolder(const std::string& option, const std::filesystem::path& folder) 
 /// form.
 std::vector<std::string> columns(const RunOptions& options) {
     std::vector<std::string> result;
-    for (const Engine& engine : engines()) {
+    for (const Engine& engine : enginesWith(options.engines)) {
         const auto& asked = options.engines;
         const bool runs = asked.empty() || std::find(asked.begin(), asked.end(), engine.name) != asked.end();
         if (runs && engine.role != Role::Truth) result.push_back(engine.name);
@@ -78,7 +79,7 @@ std::vector<SceneResult> runScenes(const std::vector<Scene>& scenes, const RunOp
     table.head();
     for (const Scene& scene : scenes) {
         try {
-            results.push_back(runScene(scene, options, engines()));
+            results.push_back(runScene(scene, options, enginesWith(options.engines)));
         } catch (const std::exception& error) {
             throw std::runtime_error(fmt::format("scene {}: {}", scene.name, error.what()));
         }
@@ -96,7 +97,7 @@ std::vector<LabResult> runLabs(const std::vector<Lab>& labs, const RunOptions& o
     fmt::print(out, "{:6}lab, and what was measured in it\n", "");
     for (const Lab& lab : labs) {
         try {
-            results.push_back(runLab(lab, options.engines, engines()));
+            results.push_back(runLab(lab, options.engines, enginesWith(options.engines)));
         } catch (const std::exception& error) {
             throw std::runtime_error(fmt::format("lab {}: {}", lab.name, error.what()));
         }
@@ -146,7 +147,8 @@ int checkEverything(Arguments arguments, std::ostream& out, bool colour) {
     for (const Engine& engine : known)
         if (!engine.version.empty()) fmt::print(out, "{} {}\n", engine.name, engine.version);
     for (const Engine& engine : knownEngines())
-        if (!engine.build) fmt::print(out, "{} is not in this build; for it {}\n", engine.name, engine.missing);
+        if (!engine.build && !engine.onDemand)
+            fmt::print(out, "{} is not in this build; for it {}\n", engine.name, engine.missing);
     fmt::print(out, "\n");
     return check(arguments, out, colour);
 }
@@ -171,7 +173,8 @@ int run(const Arguments& arguments, std::ostream& out, bool colour) {
         case Action::ListScenes: list(arguments, out); return noneFails;
         case Action::ExportScene: exportScene(arguments, out); return noneFails;
         case Action::PrintSchema: printSchema(arguments, out); return noneFails;
-        case Action::Bench: runBench(arguments, engines(), out); return noneFails;
+        case Action::ReadLessons: runLessons(arguments, out); return noneFails;
+        case Action::Bench: runBench(arguments, enginesWith(arguments.bench.engines), out); return noneFails;
         case Action::CheckScenes: return check(arguments, out, colour);
         case Action::Everything: break;
     }
@@ -187,7 +190,7 @@ std::string oneLine(std::string text) {
 
 int runCommand(std::span<const std::string> args, std::ostream& out, std::ostream& err, bool colour) {
     try {
-        return run(parseArguments(args, engines()), out, colour);
+        return run(parseArguments(args, enginesWith(namesOf(knownEngines()))), out, colour);
     } catch (const std::exception& error) {
         fmt::print(err, "plumb-compare: {}\n", oneLine(error.what()));
         return badInput;

@@ -97,6 +97,7 @@ struct EngineCard {
     Look look;
     bool isRival = false;         ///< tables of speed compare the subject with this engine
     std::string missing;          ///< how to get it, if this build does not have it; empty if each build has it
+    bool onDemand = false;        ///< it runs only if it is named
     bool oneSidedChains = false;  ///< its chains are solid on the right of their direction only
 };
 
@@ -130,8 +131,10 @@ struct Engine : EngineCard {
 
 /// All engines that can be in a build, in the order in which they are shown.
 const std::vector<Engine>& knownEngines();
-/// The engines of this build.
+/// The engines of this build that run if none is named.
 const std::vector<Engine>& engines();
+/// The same, and those of these names that run only if they are named.
+std::vector<Engine> enginesWith(const std::vector<std::string>& names);
 
 /// The known engine with this name; null if there is none.
 const Engine* findKnown(std::string_view name);

@@ -15,6 +15,7 @@ const std::vector<Engine>& knownEngines() {
         std::vector<Engine> all{
             plumbEngine(), box2d24Engine(), box2d3Engine(), chipmunkEngine(), closedFormEngine(),
         };
+        std::ranges::move(textbookEngines(), std::back_inserter(all));
         for (Engine& engine : all) engine = takingSettings(std::move(engine));
         return all;
     }();
@@ -24,10 +25,19 @@ const std::vector<Engine>& knownEngines() {
 const std::vector<Engine>& engines() {
     static const std::vector<Engine> list = [] {
         std::vector<Engine> found;
-        std::ranges::copy_if(knownEngines(), std::back_inserter(found), [](const Engine& e) { return bool(e.build); });
+        std::ranges::copy_if(knownEngines(), std::back_inserter(found),
+                             [](const Engine& e) { return e.build && !e.onDemand; });
         return found;
     }();
     return list;
+}
+
+std::vector<Engine> enginesWith(const std::vector<std::string>& names) {
+    std::vector<Engine> found;
+    std::ranges::copy_if(knownEngines(), std::back_inserter(found), [&](const Engine& e) {
+        return e.build && (!e.onDemand || std::ranges::find(names, e.name) != names.end());
+    });
+    return found;
 }
 
 const Engine* findKnown(std::string_view name) {

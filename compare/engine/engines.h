@@ -33,4 +33,10 @@ Engine chipmunkEngine();
 /// States are NaN for bodies and times for which the closed form gives nothing. It has no probes.
 Engine closedFormEngine();
 
+/// What a lecture does without an engine; each runs only if it is named. Five methods of integration with a loop that
+/// tests all pairs in each frame (see textbook/frame_loop.h; the number collisionTest chooses how); a loop, Plumb and
+/// Box2D 3 with steps as long as the frames of a display, and Plumb by a fixed clock (textbook/frames.h); bisection and
+/// swept test of one frame (textbook/search.h).
+std::vector<Engine> textbookEngines();
+
 }  // namespace plumb::compare

@@ -156,7 +156,7 @@ Exactness exactnessOf(const std::string& engine, const AccuracyTable& table) {
 std::vector<std::string> accuracyEngines() {
     std::vector<std::string> names;
     for (const Engine& engine : knownEngines())
-        if (engine.role != Role::Truth) names.push_back(engine.name);
+        if (engine.role != Role::Truth && !engine.onDemand) names.push_back(engine.name);
     return names;
 }
 

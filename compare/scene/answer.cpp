@@ -8,6 +8,7 @@
 
 #include <compare/scene/named.h>
 #include <compare/scene/scene.h>
+#include <compare/scene/set_field.h>
 
 namespace plumb::compare {
 namespace {
@@ -39,7 +40,10 @@ private:
 
     AnswerQuery readQuery() {
         if (takes("metric"))
-            return {.kind = Kind::Metric, .metric = known(checkableMetrics(scene_), "a metric of this scene")};
+            return {.kind = Kind::Metric, .name = known(checkableMetrics(scene_), "a metric of this scene")};
+        if (takes("gravity")) return {.kind = Kind::Gravity};
+        if (takes("field")) return {.kind = Kind::Field, .name = field()};
+        if (word() == "low" || word() == "high" || word() == "least") return {.kind = Kind::Aim, .aim = aim()};
         if (takes("duration")) return {.kind = Kind::Duration};
         if (takes("period")) return {.kind = Kind::Period, .quantity = (then("of"), quantity())};
         if (takes("largest")) return {.kind = Kind::Largest, .quantity = quantity()};
@@ -111,6 +115,30 @@ private:
         return read;
     }
 
+    std::string field() {
+        if (at_ >= words_.size()) refuse("answer", compare::quoted(text_) + " ends too soon, wanted a field");
+        numberAt(scene_, words_[at_]);
+        return words_[at_++];
+    }
+
+    AimReading aim() {
+        AimReading read;
+        if (takes("least")) {
+            then("speed");
+            read.part = AimReading::Part::LeastSpeed;
+        } else {
+            const bool isLow = takes("low") || !takes("high");
+            const bool isAngle = known({"angle", "time"}, "angle or time") == "angle";
+            read.part = isAngle ? (isLow ? AimReading::Part::LowAngle : AimReading::Part::HighAngle)
+                                : (isLow ? AimReading::Part::LowTime : AimReading::Part::HighTime);
+        }
+        then("of");
+        read.body = known(namesOf(scene_.bodies), "a body");
+        then("to");
+        read.target = known(namesOf(scene_.bodies), "a body");
+        return read;
+    }
+
     std::string word() const { return at_ < words_.size() ? words_[at_] : ""; }
 
     bool takes(const std::string& wanted) {
@@ -163,6 +191,10 @@ std::vector<AnswerPart> answerParts(const Scene& scene) {
     }
     parts.push_back({text.substr(start), {}});
     return parts;
+}
+
+AnswerQuery answerQuery(const Scene& scene, const std::string& text) {
+    return QueryReader(scene, text).read();
 }
 
 std::string textOf(const Reading& quantity) {

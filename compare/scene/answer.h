@@ -28,6 +28,13 @@ struct Happening {
     std::optional<double> level{};  ///< of Returns, IsAbove and IsBelow; none: the quantity's at the start
 };
 
+/// What is asked of the shot that takes a body to another one's place. Low: of the two that hit, the one that flies for
+/// a shorter time.
+struct AimReading {
+    enum class Part { LowAngle, HighAngle, LowTime, HighTime, LeastSpeed } part = Part::LowAngle;
+    std::string body{}, target{};  ///< names
+};
+
 /// The text between braces. QUANTITY is "y of ball" or "probe pull", HAPPENING one of "first maximum of QUANTITY",
 /// "QUANTITY first returns to 0", "QUANTITY last is above 2", "QUANTITY second is below start"; where it has no
 /// quantity, or no body, it is that of the query.
@@ -37,11 +44,16 @@ struct Happening {
 ///   first maximum of QUANTITY                               its value there
 ///   time when HAPPENING, period of QUANTITY, duration       [s]
 ///   metric joint_error_max
+///   gravity, field bodies.ball.mass                         numbers of the scene itself: see set_field.h for the path
+///   low angle of ball to target, high time of ball to target, least speed of ball to target
+///                                                           of the shot that hits: the kit's ballistics
 struct AnswerQuery {
-    enum class Kind { Value, Largest, Smallest, Change, Drop, Time, Period, Duration, Metric } kind = Kind::Value;
+    enum class Kind { Value, Largest, Smallest, Change, Drop, Time, Period, Duration, Metric, Gravity, Field, Aim };
+    Kind kind = Kind::Value;
     Reading quantity{};
-    std::string metric{};             ///< its name, with Kind::Metric
+    std::string name{};               ///< of the metric, or the path of the field
     std::optional<Happening> when{};  ///< none: at the end
+    AimReading aim{};
 };
 
 /// A text, and the query after it; the last part has no query.
@@ -53,6 +65,9 @@ struct AnswerPart {
 /// Throws std::invalid_argument that names the part between braces if it is not understood, or if the scene does not
 /// have its body, probe or metric.
 std::vector<AnswerPart> answerParts(const Scene& scene);
+
+/// One such text. Throws in the same way.
+AnswerQuery answerQuery(const Scene& scene, const std::string& text);
 
 /// "y of ball", "probe pull".
 std::string textOf(const Reading& quantity);

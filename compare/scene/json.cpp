@@ -2,21 +2,17 @@
 #include <compare/scene/json.h>
 
 #include <algorithm>
-#include <iterator>
-#include <span>
 #include <stdexcept>
 
 #include <compare/scene/body_mass.h>
-#include <compare/scene/json_plain.h>
+#include <compare/scene/json_reader.h>
 #include <compare/scene/json_value.h>
 #include <compare/scene/named.h>
-#include <plumb/math/check.h>
 
 namespace plumb::compare {
-namespace {
 
 /// Fields of a material are often written into the body or the shape itself.
-std::string hintFor(const std::string& name, const std::vector<std::string>& known) {
+std::string hintForField(const std::string& name, const std::vector<std::string>& known) {
     bool isOfMaterial = false;
     const Material material;
     describe(material, [&](const Member& member, const auto&) { isOfMaterial = isOfMaterial || name == member.name; });
@@ -28,162 +24,19 @@ std::string hintFor(const std::string& name, const std::vector<std::string>& kno
     return "the nearest known one is " + nearest(name, known) + "; known are " + listText(known);
 }
 
-/// Says which overload of read is meant, if nothing else does.
-template <class T>
-using Type = std::type_identity<T>;
-
-/// Turns one object into a struct; a field that is not in the object keeps its default.
-class Reader {
-public:
-    template <class T>
-    static T read(Type<T>, const Json& json, const std::string& path) {
-        if (!json.is_object()) refuseKind(path, json, "an object");
-        T value{};
-        Reader reader(json, path);
-        fields(reader, value);
-        reader.refuseUnknown();
-        if (!reader.kindWanted_.empty())
-            plumb::refuse(path, "does not say of what kind it is, wanted " + reader.kindWanted_);
-        return value;
-    }
-
-    template <class T>
-    void operator()(const Field& which, T& value) {
-        take(which.name, value);
-    }
-
-    void orInfinite(const Field& which, double& value) {
-        if (const Json* field = find(which.name)) readNumberOrWord(*field, member(which.name), value);
-    }
-
-    void shape(Shape& shape) {
-        const Json* given = find("box");
-        if (given == nullptr) return oneOf(shape, tagsOfAlternatives<Shape>);
-        for (const char* other : tagsOfAlternatives<Shape>) {
-            if (find(other) != nullptr)
-                plumb::refuse(path_, "has both box and " + std::string(other) + ", wanted one of them");
-        }
-        const BoxFields box = read(Type<BoxFields>(), *given, member("box"));
-        if (!(box.halfSize.x() > 0 && box.halfSize.y() > 0)) {
-            plumb::refuse(member("box.halfSize"), toText(box.halfSize) + " is not positive");
-        }
-        Polygon polygon = boxPolygon(box.halfSize, box.center);
-        polygon.radius = box.radius;
-        shape = std::move(polygon);
-    }
-
-    template <class... T>
-    void oneOf(std::variant<T...>& value, std::span<const char* const> tags) {
-        std::size_t found = 0;
-        for (std::size_t i = 0; i < tags.size(); ++i) {
-            const bool here = find(tags[i]) != nullptr;
-            if (here && found > 0) {
-                plumb::refuse(path_,
-                              "has both " + std::string(tags[found - 1]) + " and " + tags[i] + ", wanted one of them");
-            }
-            if (here) found = i + 1;
-        }
-        if (found == 0) {
-            kindWanted_ = oneOfText(tags);  // not refused yet: a misspelled field is refused first, which says more
-            return;
-        }
-        readAlternative(value, found - 1, tags[found - 1], std::index_sequence_for<T...>());
-    }
-
-private:
-    Reader(const Json& object, const std::string& path) : object_(object), path_(path) {}
-
-    std::string member(const std::string& name) const { return path_.empty() ? name : path_ + "." + name; }
-
-    template <class T>
-    void take(const char* name, T& value) {
-        if (const Json* field = find(name)) value = read(Type<T>(), *field, member(name));
-    }
-
-    /// A name that is asked for here becomes a known name.
-    const Json* find(const char* name) {
-        if (std::ranges::find(known_, name) == known_.end()) known_.emplace_back(name);
-        const auto field = object_.find(name);
-        return field == object_.end() ? nullptr : &*field;
-    }
-
-    void refuseUnknown() const {
-        for (const auto& [name, field] : object_.items()) {
-            if (std::ranges::find(known_, name) != known_.end()) continue;
-            plumb::refuse(member(name), "unknown field, " + hintFor(name, known_));
-        }
-    }
-
-    template <class... T, std::size_t... I>
-    void readAlternative(std::variant<T...>& value, std::size_t index, const char* tag, std::index_sequence<I...>) {
-        const auto readAs = [&]<std::size_t i>() {
-            take(tag, value.template emplace<i>());
-            return true;
-        };
-        (void)((I == index && readAs.template operator()<I>()) || ...);
-    }
-
-    template <Plain T>
-    static T read(Type<T>, const Json& json, const std::string& path) {
-        T value{};
-        readPlain(json, path, value);
-        return value;
-    }
-    static TileMap read(Type<TileMap>, const Json& json, const std::string& path) {
-        const TilesFields tiles = read(Type<TilesFields>(), json, path);
-        try {
-            return tileMapOf(tiles.rows, tiles.size).wrapping(tiles.wrapX, tiles.wrapY);
-        } catch (const std::invalid_argument& error) {
-            plumb::refuse(path, error.what());
-        }
-    }
-    static EngineSettings read(Type<EngineSettings>, const Json& json, const std::string& path) {
-        if (!json.is_object()) refuseKind(path, json, "an object");
-        EngineSettings settings;
-        for (const auto& [engine, fields] : json.items()) {
-            if (!fields.is_object()) refuseKind(path + "." + engine, fields, "an object");
-            for (const auto& [field, value] : fields.items()) settings[engine][field] = value.dump();
-        }
-        return settings;
-    }
-    template <class T>
-    static std::optional<T> read(Type<std::optional<T>>, const Json& json, const std::string& path) {
-        if (json.is_null()) return {};
-        return read(Type<T>(), json, path);
-    }
-    template <class T>
-    static std::vector<T> read(Type<std::vector<T>>, const Json& json, const std::string& path) {
-        if (!json.is_array()) refuseKind(path, json, "a list");
-        std::vector<T> values;
-        for (const Json& item : json) {
-            values.push_back(read(Type<T>(), item, path + "[" + std::to_string(values.size()) + "]"));
-        }
-        return values;
-    }
-
-    const Json& object_;
-    const std::string& path_;
-    std::vector<std::string> known_;
-    std::string kindWanted_;
-};
-
-/// The line of the value that an error is about. The message starts with its path; if that path has no line, the
-/// nearest enclosing one is used.
-int lineOf(const JsonText& text, const std::string& message) {
+std::string withLine(const JsonText& text, const std::string& file, const std::string& message) {
     std::string path = message.substr(0, message.find(": "));
     while (!text.lines.contains(path) && !path.empty()) {
         const auto cut = path.find_last_of(".[");
         path = cut == std::string::npos ? std::string() : path.substr(0, cut);
     }
-    return text.lines.at(path);
+    return file + ":" + std::to_string(text.lines.at(path)) + ": " + onOneLine(message);
 }
-
-}  // namespace
 
 Scene sceneOf(const Json& value) {
     Json plain = value;
     const std::vector<GivenMass> masses = takeMasses(plain);
-    Scene scene = Reader::read(Type<Scene>(), plain, "");
+    Scene scene = JsonReader::read(JsonType<Scene>(), plain, "");
     validate(scene);
     for (const auto& [body, mass] : masses)
         giveMass(scene.bodies[body].def, mass.get<double>(), at("bodies", body) + ".mass");
@@ -196,8 +49,7 @@ Scene fromJson(std::string_view text, const std::string& file) {
     try {
         return sceneOf(json.root);
     } catch (const std::invalid_argument& error) {
-        const std::string what = error.what();
-        throw std::invalid_argument(file + ":" + std::to_string(lineOf(json, what)) + ": " + onOneLine(what));
+        throw std::invalid_argument(withLine(json, file, error.what()));
     }
 }
 

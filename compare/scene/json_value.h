@@ -8,6 +8,8 @@ namespace plumb::compare {
 
 /// Throws std::invalid_argument as validate does.
 Json jsonOf(const Scene& scene, Defaults defaults);
+/// The same of a scene that is being checked.
+Json uncheckedJsonOf(const Scene& scene, Defaults defaults);
 
 /// The scene that the value describes. Throws std::invalid_argument, "bodies[2].angle: \"x\" is not a number", as
 /// fromJson does, without a file and a line.

@@ -208,6 +208,18 @@ Scene withJsonField(const Scene& scene, const std::string& path, const Json& val
     return sceneFrom(root, path + "=" + value.dump());
 }
 
+std::string textAt(const Scene& scene, const std::string& path) {
+    Json root = uncheckedJsonOf(scene, Defaults::Written);
+    return valuesAt(root, path).front()->dump();
+}
+
+double numberAt(const Scene& scene, const std::string& path) {
+    Json root = uncheckedJsonOf(scene, Defaults::Written);
+    const Json& value = *valuesAt(root, path).front();
+    if (!value.is_number()) refuse(path, value.dump() + " is not a number");
+    return value.get<double>();
+}
+
 std::optional<double> numberOf(const std::string& text) {
     try {
         const std::optional<Json> number = numberFrom(text);

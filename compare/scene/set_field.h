@@ -27,6 +27,13 @@ namespace plumb::compare {
 Scene withField(const Scene& scene, const std::string& path, const std::string& value);
 Scene withJsonField(const Scene& scene, const std::string& path, const Json& value);
 
+/// The number in a field; of several, such as of a body's shapes, the first one. Throws in the same way, and for a
+/// field that is not a number.
+double numberAt(const Scene& scene, const std::string& path);
+
+/// The value in a field, as JSON; of several the first one. Throws in the same way.
+std::string textAt(const Scene& scene, const std::string& path);
+
 /// A number or a fraction: "0.01", "1/240". None for anything else.
 std::optional<double> numberOf(const std::string& text);
 

@@ -13,9 +13,10 @@ namespace {
 constexpr std::size_t mostBodies = 100;  // of a scene whose forces are kept
 
 std::vector<Engine> enginesOf(const std::vector<std::string>& names) {
-    std::vector<Engine> wanted;
-    for (const Engine& engine : engines())
-        if (names.empty() || std::ranges::find(names, engine.name) != names.end()) wanted.push_back(engine);
+    std::vector<Engine> wanted = enginesWith(names);
+    std::erase_if(wanted, [&](const Engine& engine) {
+        return !names.empty() && std::ranges::find(names, engine.name) == names.end();
+    });
     return wanted;
 }
 
@@ -131,7 +132,7 @@ SceneResult Live::resultOfRuns(bool inDetail) {
     RunOptions options;
     options.changed = changed();
     options.inDetail = inDetail;
-    return resultOf(scene_, std::move(observed), options, engines());
+    return resultOf(scene_, std::move(observed), options, enginesWith(engines_));
 }
 
 }  // namespace plumb::compare

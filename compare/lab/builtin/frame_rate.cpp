@@ -12,6 +12,7 @@
 
 #include <compare/closed_form/oracle.h>
 #include <compare/engine/plumb_world.h>
+#include <compare/engine/textbook/frames.h>
 #include <compare/formula/flights.h>
 #include <compare/lab/builtin/labs.h>
 #include <compare/lab/builtin/parts.h>
@@ -19,7 +20,6 @@
 #include <compare/scene/builtin/parts.h>
 #include <plumb/math/random.h>
 #include <plumb/record/state_hash.h>
-#include <plumb/stepping/interpolate.h>
 
 namespace plumb::compare {
 namespace {
@@ -96,24 +96,25 @@ struct Shown {
     std::uint64_t hash = 0;
 };
 
+/// What is shown at each frame of the display.
+std::vector<Point> heightsIn(FramedLoop& loop, const Display& display) {
+    std::vector<Point> heights{{0, loop.shown().back().position.y()}};
+    for (const double frame : display.frames) {
+        loop.frame(frame);
+        heights.push_back({heights.back().x + frame, loop.shown().back().position.y()});
+    }
+    return heights;
+}
+
 /// The game's loop: the clock says how many ticks are due. The drawn height lies between the last two ticks.
 Shown byFixedClock(const Scene& scene, const Display& display, const ClockSettings& settings) {
     PlumbWorld made = plumbWorld(scene);
-    const auto height = [&] { return made.world.body(made.bodies.back()).position().y(); };
-    FixedClock clock(settings);
-    Shown shown{.heights = {{0, height()}}};
-    double time = 0, before = height();
-    for (const double frame : display.frames) {
-        const Ticks ticks = clock.advance(frame);
-        for (int tick = 0; tick < ticks.due; ++tick) {
-            before = height();
-            made.world.step(clock.interval());
-        }
-        time += frame;
-        shown.heights.push_back({time, interpolate(before, height(), ticks.fraction)});
-    }
-    shown.end = height();
-    shown.ticks = clock.tick();
+    const auto ball = [&] { return made.world.body(made.bodies.back()); };
+    const auto states = [&] { return std::vector<BodyState>{{.position = ball().position()}}; };
+    FramedLoop loop({[&](double dt) { made.world.step(dt); }, states}, settings);
+    Shown shown{.heights = heightsIn(loop, display)};
+    shown.end = ball().position().y();
+    shown.ticks = loop.ticks();
     shown.hash = stateHash(made.world);
     return shown;
 }
@@ -121,15 +122,9 @@ Shown byFixedClock(const Scene& scene, const Display& display, const ClockSettin
 /// The lecture warns of this: each step is as long as its frame.
 Shown byVariableStep(const Scene& scene, const Display& display, const Engine& engine) {
     const std::unique_ptr<Simulation> simulation = engine.build(scene);
-    const auto height = [&] { return simulation->states().back().position.y(); };
-    Shown shown{.heights = {{0, height()}}};
-    double time = 0;
-    for (const double frame : display.frames) {
-        simulation->step(frame);
-        time += frame;
-        shown.heights.push_back({time, height()});
-    }
-    shown.end = height();
+    FramedLoop loop({[&](double dt) { simulation->step(dt); }, [&] { return simulation->states(); }});
+    Shown shown{.heights = heightsIn(loop, display)};
+    shown.end = shown.heights.back().y;
     return shown;
 }
 

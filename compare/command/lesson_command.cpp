@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <compare/command/lesson_command.h>
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+
+#include <compare/command/output_file.h>
+#include <compare/lesson/lesson_run.h>
+#include <compare/scene/json_text.h>
+
+namespace plumb::compare {
+namespace {
+
+std::string textOfFile(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw std::runtime_error(fmt::format("lesson: cannot read {}", path));
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string valueText(const std::optional<double>& value, const std::string& unit) {
+    if (!value) return "–";
+    return fmt::format("{:.6g}{}{}", *value, unit.empty() ? "" : " ", unit);
+}
+
+Json jsonOf(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+}
+
+void print(const Lesson& lesson, const LessonResult& result, std::ostream& out) {
+    fmt::print(out, "{}: {}\n  {}\n", lesson.name, lesson.title, lesson.question);
+    for (const LessonNumber& number : result.numbers)
+        fmt::print(out, "  {}: {}\n", number.query, valueText(number.value, number.unit));
+    fmt::print(out, "  because: {}\n", result.because);
+    for (const WorseResult& worse : result.worse)
+        fmt::print(out, "  worse: {}: {}\n", worse.title, worse.unsupported.empty() ? worse.says : worse.unsupported);
+    for (std::size_t i = 0; i < result.answers.size(); ++i)
+        fmt::print(out, "  {} {}\n", lesson.questions[i].ask, result.answers[i]);
+}
+
+Json jsonOf(const Lesson& lesson, const LessonResult& result) {
+    Json data{{"name", lesson.name},      {"title", lesson.title},  {"slides", lesson.slides},
+              {"numbers", Json::array()}, {"worse", Json::array()}, {"because", result.because},
+              {"answers", result.answers}};
+    for (const LessonNumber& number : result.numbers)
+        data["numbers"].push_back({{"query", number.query}, {"value", jsonOf(number.value)}, {"unit", number.unit}});
+    for (const WorseResult& worse : result.worse) {
+        data["worse"].push_back({{"title", worse.title}, {"engine", worse.engine}, {"value", jsonOf(worse.value)}});
+        if (worse.unsupported.empty())
+            data["worse"].back()["says"] = worse.says;
+        else
+            data["worse"].back()["unsupported"] = worse.unsupported;
+    }
+    return data;
+}
+
+}  // namespace
+
+void runLessons(const Arguments& arguments, std::ostream& out) {
+    std::optional<OutputFile> json;
+    if (arguments.json) json.emplace("--json", *arguments.json);
+    Json data{{"schema", 1}, {"lessons", Json::array()}};
+    for (const std::string& path : arguments.scenes) {
+        const Lesson lesson = lessonFromJson(textOfFile(path), path);
+        const LessonResult result = runLesson(lesson);
+        print(lesson, result, out);
+        data["lessons"].push_back(jsonOf(lesson, result));
+    }
+    if (json) json->write(data.dump(2) + "\n");
+}
+
+}  // namespace plumb::compare

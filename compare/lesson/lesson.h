@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// What is a lesson? A scene with a question, something to predict, and what a person may find out by it. As data.
+#pragma once
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <compare/scene/answer.h>
+#include <compare/scene/scene.h>
+
+namespace plumb::compare {
+
+/// A number, for example "how high?".
+struct NumberPrediction {
+    std::string value{};  ///< a query of the run: see scene/answer.h
+    std::string unit{};   ///< as it is printed
+    double from = 0, to = 10;
+    double within = 0.02;  ///< so near, as a share of the true value, is right [-]
+};
+
+/// One of several sentences.
+struct ChoicePrediction {
+    std::vector<std::string> options{};
+    int right = 1;  ///< which one holds, from 1
+};
+
+/// A curve over the time of the run, drawn by hand.
+struct CurvePrediction {
+    std::string value{};   ///< "y of ball": a quantity
+    std::string unit{};    ///< as it is printed
+    double within = 0.08;  ///< a mean distance up to this share of the range of the true curve is right [-]
+};
+
+using Prediction = std::variant<NumberPrediction, ChoicePrediction, CurvePrediction>;
+
+/// What a page draws besides the bodies.
+enum class Shown {
+    Path,
+    Trails,
+    Velocity,
+    Acceleration,
+    Momentum,
+    Force,
+    Causes,
+    Bounds,  ///< of each body: a circle, an upright and an oriented box
+    Tests,   ///< how many tests of pairs each broad phase makes
+};
+
+/// An engine, or a setting of one, that is worse than the lesson's own.
+struct WorseCase {
+    std::string title{};             ///< "Explicit Euler, ten steps a second"
+    std::string engine{};            ///< its name
+    std::vector<std::string> set{};  ///< PATH=VALUE
+    std::string says{};              ///< what comes of it: with queries of its run between braces
+};
+
+struct LessonQuestion {
+    std::string ask{}, answer{};
+};
+
+/// All texts are English. Between braces in a text, and between < and > in a formula, stands a query of the run.
+struct Lesson {
+    std::string name{};                  ///< snake_case
+    std::vector<int> slides{};           ///< of the lecture
+    std::string title{};                 ///< for people
+    std::string about{};                 ///< what it is about: one to three sentences
+    Scene scene{};                       ///< with all that the lesson sets, with its controls and its question
+    std::vector<std::string> set{};      ///< PATH=VALUE, in the scene as it is built in
+    std::vector<std::string> engines{};  ///< which run from the start
+    std::string question{};
+    Prediction predict{};
+    std::string because{};  ///< why it is so: shown once there is a prediction
+    std::vector<Shown> show{};
+    std::vector<std::string> charts{};   ///< quantities: "y of ball"; or "energy", "error"
+    std::vector<std::string> formula{};  ///< lines in LaTeX, worked with the numbers of the run
+    std::vector<WorseCase> worse{};
+    std::vector<LessonQuestion> questions{};
+    std::vector<SceneControl> controls{};
+    bool countsSteps = false;  ///< a page says which step it is, and not the time
+};
+
+/// Reads a lesson from JSON: "scene" is the name of a built-in scene, or a scene as `check` reads it. file: the name of
+/// the text in messages. Throws std::invalid_argument, "FILE:LINE: predict.number.value: ...", as scene/json.h does.
+Lesson lessonFromJson(std::string_view text, const std::string& file);
+
+/// The lesson as JSON, with all fields but the scene.
+std::string toJson(const Lesson& lesson);
+
+/// The queries between braces of a text, or between < and > of a formula: what stands before each, and it. The last
+/// part has no query. field: its name in messages.
+std::vector<AnswerPart> textParts(const Scene& scene, const std::string& text, const std::string& field);
+std::vector<AnswerPart> formulaParts(const Scene& scene, const std::string& formula, const std::string& field);
+
+}  // namespace plumb::compare

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include <compare/lesson/lesson_run.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <compare/check/answer.h>
+#include <compare/check/verdict.h>
+#include <compare/engine/engine.h>
+#include <compare/scene/set_field.h>
+
+namespace plumb::compare {
+namespace {
+
+std::vector<Observation> observed(const Scene& scene, const std::vector<std::string>& names) {
+    std::vector<Observation> runs;
+    for (const Engine& engine : enginesWith(names))
+        if (std::ranges::find(names, engine.name) != names.end()) runs.push_back(observe(scene, engine));
+    return runs;
+}
+
+std::string truthName() {
+    return std::ranges::find(knownEngines(), Role::Truth, &Engine::role)->name;
+}
+
+/// The runs that say what is true: the first that knows an answer counts.
+class Truths {
+public:
+    explicit Truths(const Scene& scene) : scene_(scene), runs_(observed(scene, {truthName(), subjectName()})) {
+        std::ranges::stable_partition(runs_, [](const Observation& run) { return run.role == Role::Truth; });
+    }
+
+    std::optional<double> valueOf(const AnswerQuery& query) const {
+        for (const Observation& run : runs_) {
+            if (run.states.empty()) continue;
+            const std::optional<double> value = compare::valueOf(scene_, run, query);
+            if (value && std::isfinite(*value)) return value;
+        }
+        return {};
+    }
+    const Observation& subject() const { return runs_.back(); }
+
+private:
+    const Scene& scene_;
+    std::vector<Observation> runs_;
+};
+
+/// The text with the numbers of a run.
+std::string filled(Scene scene, const Observation& run, const std::string& text) {
+    scene.answer = text;
+    return answerOf(scene, run, measure(scene, run, nullptr, nullptr));
+}
+
+/// The texts between marks, in the order in which they come.
+void collect(char open, char close, const std::string& text, std::vector<std::string>& queries) {
+    for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, at + 1)) {
+        const std::string inside = text.substr(at + 1, text.find(close, at) - at - 1);
+        if (std::ranges::find(queries, inside) == queries.end()) queries.push_back(inside);
+    }
+}
+
+std::optional<std::string> predictedQuery(const Lesson& lesson) {
+    const auto* number = std::get_if<NumberPrediction>(&lesson.predict);
+    return number ? std::optional(number->value) : std::nullopt;
+}
+
+std::vector<std::string> queriesOf(const Lesson& lesson) {
+    std::vector<std::string> queries;
+    if (const auto query = predictedQuery(lesson)) queries.push_back(*query);
+    for (const std::string& line : lesson.formula) collect('<', '>', line, queries);
+    collect('{', '}', lesson.because, queries);
+    for (const LessonQuestion& question : lesson.questions) collect('{', '}', question.answer, queries);
+    return queries;
+}
+
+WorseResult resultOf(const Lesson& lesson, const WorseCase& worse) {
+    WorseResult result{.title = worse.title, .engine = worse.engine};
+    std::vector<FieldSetting> settings;
+    for (const std::string& text : worse.set) settings.push_back(fieldSettingOf(text));
+    const Scene scene = withFields(lesson.scene, settings);
+    const std::vector<Observation> runs = observed(scene, {worse.engine});
+    if (runs.empty()) result.unsupported = "this build does not have it";
+    if (runs.empty()) return result;
+    result.unsupported = runs.front().unsupported;
+    if (runs.front().states.empty()) return result;
+    if (const auto query = predictedQuery(lesson))
+        result.value = valueOf(scene, runs.front(), answerQuery(scene, *query));
+    result.says = filled(scene, runs.front(), worse.says);
+    return result;
+}
+
+}  // namespace
+
+LessonResult runLesson(const Lesson& lesson) {
+    LessonResult result;
+    const Truths truths(lesson.scene);
+    for (const std::string& text : queriesOf(lesson)) {
+        const AnswerQuery query = answerQuery(lesson.scene, text);
+        result.numbers.push_back({text, truths.valueOf(query), unitOf(lesson.scene, query)});
+    }
+    for (const WorseCase& worse : lesson.worse) result.worse.push_back(resultOf(lesson, worse));
+    result.because = filled(lesson.scene, truths.subject(), lesson.because);
+    for (const LessonQuestion& question : lesson.questions)
+        result.answers.push_back(filled(lesson.scene, truths.subject(), question.answer));
+    return result;
+}
+
+}  // namespace plumb::compare
