@@ -7,6 +7,7 @@
 #include <string>
 
 #include <compare/metric/observation.h>
+#include <compare/scene/fields/tags.h>
 #include <compare/scene/json.h>
 #include <plumb/steering/blend.h>
 #include <plumb/steering/flock.h>
