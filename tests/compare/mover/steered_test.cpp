@@ -190,7 +190,8 @@ TEST_CASE("an agent that steers goes the same way in every engine, to 0.1 mm", "
         const Observation plumb = inPlumb(scene);
         for (const Engine& engine : simulators()) {
             INFO(tagOf(std::get<SteeredMotion>(scene.movers[0].motion)) << " in " << engine.name);
-            // Box2D has single precision: 1e-6 m of a place, and with each step as much of the ball's velocity.
+            // Box2D rounds the ball's place to single precision, by at most 4.8e-7 m beyond 8 m and 2.4e-7 m within: in
+            // 180 steps by 84 um in all. Agents see the ball there.
             CHECK(farthestApart(plumb, observe(scene, engine)) < 1e-4);
         }
     }
