@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <compare/engine/plumb_movers.h>
 
+#include <utility>
+
 #include <compare/scene/joint_geometry.h>
 
 namespace plumb::compare {
 
-PlumbMovers::PlumbMovers(const Scene& scene, const PlumbWorld& made) {
+PlumbMovers::PlumbMovers(const Scene& scene, const PlumbWorld& made) : agents_(scene), bodies_(made.bodies) {
     PlacedMaps maps;
     for (const SceneMover& mover : scene.movers) {
         const std::size_t index = bodyIndex(scene, mover.body);
@@ -25,8 +27,21 @@ PlumbMovers::PlumbMovers(const Scene& scene, const PlumbWorld& made) {
 }
 
 void PlumbMovers::step(World& world, double dt) {
+    if (!agents_.empty()) steer(world, dt);  // first, because other movers set velocities
     for (auto& mover : movers_) std::visit([&](auto& m) { step(world, m, dt); }, mover);
     ++tick_;
+}
+
+void PlumbMovers::steer(World& world, double dt) {
+    const auto stateOf = [&](std::size_t index) -> BodyState {
+        const BodyView body = std::as_const(world).body(bodies_[index]);
+        return {body.position(), body.angle(), body.velocity(), body.angularVelocity()};
+    };
+    agents_.step(stateOf, dt);
+    for (const SteeredAgent& one : agents_.agents()) {
+        Body body = world.body(bodies_[one.body]);
+        body.moveTo(one.agent.position, body.angle(), dt);
+    }
 }
 
 void PlumbMovers::step(World& world, OnPath& mover, double dt) const {

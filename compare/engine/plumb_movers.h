@@ -6,6 +6,7 @@
 
 #include <compare/engine/plumb_world.h>
 #include <compare/mover/parts.h>
+#include <compare/mover/steered.h>
 #include <plumb/movers/platform_mover.h>
 
 namespace plumb::compare {
@@ -47,6 +48,7 @@ private:
         PlatformMover mover;
     };
 
+    void steer(World& world, double dt);
     void step(World& world, OnPath& mover, double dt) const;
     void step(World& world, Swinging& mover, double dt) const;
     void step(World& world, Sliding& mover, double dt) const;
@@ -54,6 +56,8 @@ private:
     void step(World& world, OnPlatforms& mover, double dt) const;
 
     std::vector<std::variant<OnPath, Swinging, Sliding, OnGrid, OnPlatforms>> movers_;
+    SteeredAgents agents_;
+    std::vector<BodyId> bodies_;  // of the scene
     int tick_ = 0;
 };
 

@@ -39,7 +39,7 @@ double towards(double value, double target, double most) {
 
 }  // namespace
 
-SceneMovers::SceneMovers(const Scene& scene, Characters characters) : gravity_(-scene.gravity.y()) {
+SceneMovers::SceneMovers(const Scene& scene, Characters characters) : agents_(scene), gravity_(-scene.gravity.y()) {
     PlacedMaps maps;
     for (const SceneMover& mover : scene.movers) {
         const std::size_t body = bodyIndex(scene, mover.body);
@@ -63,6 +63,9 @@ std::vector<MoverCommand> SceneMovers::commands(std::span<const BodyState> state
         result.push_back(std::visit([&](auto& m) { return command(m, states[mover.body], dt); }, mover.kind));
         result.back().body = mover.body;
     }
+    agents_.step([&](std::size_t body) { return states[body]; }, dt);
+    for (const SteeredAgent& one : agents_.agents())
+        result.push_back({.body = one.body, .velocity = velocityTo(one.agent.position, states[one.body], dt)});
     ++tick_;
     return result;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <compare/mover/parts.h>
+#include <compare/mover/steered.h>
 #include <compare/scene/state.h>
 
 namespace plumb::compare {
@@ -26,7 +27,7 @@ class SceneMovers {
 public:
     explicit SceneMovers(const Scene& scene, Characters characters = Characters::None);
 
-    bool empty() const { return movers_.empty(); }
+    bool empty() const { return movers_.empty() && agents_.empty(); }
     /// Commands for the next step of dt [s]; states: of the bodies now.
     std::vector<MoverCommand> commands(std::span<const BodyState> states, double dt);
 
@@ -68,6 +69,7 @@ private:
     MoverCommand command(OnPlatforms& mover, const BodyState& now, double dt) const;
 
     std::vector<Mover> movers_;
+    SteeredAgents agents_;
     double gravity_;  ///< of the scene, downward [m/s^2]
     int tick_ = 0;
 };

@@ -50,6 +50,7 @@ std::vector<Scene> builtinScenes() {
         mazeLap(),
         jump1985(),
         jumpModern(),
+        steering(),
         wrapHeadOn(),
         wrapBilliard(),
         pendulum45(),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <compare/scene/mover.h>
 
+#include <algorithm>
+
 namespace plumb::compare {
 namespace {
 
@@ -17,6 +19,18 @@ PathMover pathMoverOf(const PathMotion& motion) {
     return PathMover({.path = motion.spline ? splineThrough(motion.points, motion.closed) : straightThrough(motion),
                       .timing = {motion.speed, motion.easing, motion.acceleration},
                       .repeat = motion.repeat});
+}
+
+bool needsTarget(Behaviour behaviour) {
+    return behaviour != Behaviour::Wander && behaviour != Behaviour::Follow && behaviour != Behaviour::Flock;
+}
+
+std::optional<double> discRadius(const BodyDef& body) {
+    std::optional<double> reach;
+    for (const ShapeDef& shape : body.shapes)
+        if (const auto* circle = std::get_if<Circle>(&shape.shape))
+            reach = std::max(reach.value_or(0), circle->center.norm() + circle->radius);
+    return reach;
 }
 
 }  // namespace plumb::compare

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What moves a body of a scene in a way other than Newton's laws? As data, so that it can be written in a file.
 #pragma once
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include <plumb/dynamics/body_def.h>
 #include <plumb/movers/grid_direction.h>
 #include <plumb/movers/path_mover.h>
 #include <plumb/shapes/tile_map.h>
@@ -73,7 +76,40 @@ struct SwingMotion {
     double rate = 1;       ///< > 0 [rad/s]
 };
 
-using MoverMotion = std::variant<PathMotion, SlidingMotion, GridMotion, PlatformMotion, SwingMotion>;
+/// What does an agent want? See the kit's steering.
+enum class Behaviour {
+    Seek,    ///< at full speed to its target, and past it
+    Flee,    ///< at full speed away from its target
+    Arrive,  ///< to its target, and to rest there
+    Pursue,  ///< to where it meets its target
+    Evade,   ///< away from where its target would meet it
+    Wander,  ///< anywhere, by chance
+    Follow,  ///< along its points
+    Avoid,   ///< to its target, round the circles of all other static bodies
+    Flock,   ///< apart from, along with and close to all others that flock: separate, align and cohere, added
+};
+
+/// True if the behaviour is about another body.
+bool needsTarget(Behaviour behaviour);
+
+/// How far a body's circles reach from its origin: the radius of an agent. Empty if it has none [m].
+std::optional<double> discRadius(const BodyDef& body);
+
+/// Steers as an agent of the kit. All agents decide from where bodies are at the start of a step, then all move. What
+/// stands in the way does not stop them.
+struct SteeredMotion {
+    Behaviour behaviour = Behaviour::Seek;
+    std::string target{};        ///< the name of a body that is always there; none for wander, follow and flock
+    Vec2 velocity{0, 0};         ///< at the start [m/s]
+    double maxSpeed = 3;         ///< > 0 [m/s]
+    double maxAcceleration = 6;  ///< > 0 [m/s^2]
+    std::vector<Vec2> points{};  ///< with follow: of the path, 2 or more [m]
+    bool closed = false;         ///< with follow: the path goes back to the first point
+    double ahead = 1;            ///< with follow: how far along the path it looks, > 0 [m]
+    std::uint64_t seed = 1;      ///< with wander: of its random numbers
+};
+
+using MoverMotion = std::variant<PathMotion, SlidingMotion, GridMotion, PlatformMotion, SwingMotion, SteeredMotion>;
 
 struct SceneMover {
     std::string name{};  ///< unique in the scene

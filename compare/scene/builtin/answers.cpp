@@ -87,6 +87,9 @@ const Answers ofMovers{
     {"jump_modern",
      "It rises by {change of y of hero when first maximum of y}, is back after {time when y of hero last returns to "
      "start}, and is at most {metric error_max} off its formula."},
+    {"steering",
+     "One comes {change of x of seeker} nearer, one flees {change of x of fleer} farther, one is {y of arriver} from "
+     "where it arrives; the one that pursues is {probe gap} from its quarry after {duration}."},
     {"wrap_head_on", "After {duration} they are {metric error_end} from where the formula has them."},
     {"wrap_billiard", "Energy changes by {metric energy_drift}, momentum by {metric momentum_drift}."},
 };

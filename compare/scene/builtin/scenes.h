@@ -153,6 +153,9 @@ Scene mazeLap();
 Scene jump1985();
 Scene jumpModern();
 
+// steering.cpp
+Scene steering();
+
 // wrap.cpp
 Scene wrapHeadOn();
 Scene wrapBilliard();

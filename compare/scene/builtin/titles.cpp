@@ -99,6 +99,7 @@ constexpr Titled moversTitles[] = {
     {"mover_wall", "A mover against a wall"}, {"platform_ride", "A ride on a platform"},
     {"maze_lap", "Ten laps of a maze"},       {"jump_1985", "A jump of 1985"},
     {"jump_modern", "A modern jump"},         {"one_way_platform", "A one-way platform"},
+    {"steering", "Agents that steer"},
 };
 
 constexpr Titled worldsTitles[] = {

@@ -46,6 +46,17 @@ void fields(auto& visit, OrConst<SwingMotion> auto& x) {
     visit({"amplitude", "m", Allowed::finite, "how far, and along which line"}, x.amplitude);
     visit({"rate", "rad/s", Allowed::positive, "2 pi over the period"}, x.rate);
 }
+void fields(auto& visit, OrConst<SteeredMotion> auto& x) {
+    visit({"behaviour", "", Allowed::any, "what it wants"}, x.behaviour);
+    visit({"target", "", Allowed::any, "the name of a body; none for one that wanders, follows or flocks"}, x.target);
+    visit({"velocity", "m/s", Allowed::finite, "at the start"}, x.velocity);
+    visit({"maxSpeed", "m/s", Allowed::positive, "the highest"}, x.maxSpeed);
+    visit({"maxAcceleration", "m/s^2", Allowed::positive, "the highest"}, x.maxAcceleration);
+    visit({"points", "m", Allowed::finite, "with \"follow\": of the path, 2 or more"}, x.points);
+    visit({"closed", "", Allowed::any, "with \"follow\": does the path go back to the first point?"}, x.closed);
+    visit({"ahead", "m", Allowed::positive, "with \"follow\": how far along the path it looks"}, x.ahead);
+    visit({"seed", "", Allowed::any, "with \"wander\": the same seed gives the same way"}, x.seed);
+}
 void fields(auto& visit, OrConst<SceneMover> auto& x) {
     visit(needed({"name", "", Allowed::any, "unlike the other movers'"}), x.name);
     visit(needed({"body", "", Allowed::any, "the name of a kinematic body"}), x.body);

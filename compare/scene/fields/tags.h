@@ -17,6 +17,11 @@ inline constexpr std::array<const char*, 3> easingTags{"none", "acceleration", "
 inline constexpr std::array<const char*, 3> repeatTags{"once", "loop", "backAndForth"};
 inline constexpr std::array<const char*, 2> styleTags{"modern", "1985"};
 inline constexpr std::array<const char*, 2> standInTags{"kinematic", "stopped"};
+inline constexpr std::array<const char*, 9> behaviourTags{"seek",   "flee",   "arrive", "pursue", "evade",
+                                                          "wander", "follow", "avoid",  "flock"};
+constexpr std::span<const char* const> tagsOf(Behaviour) {
+    return behaviourTags;
+}
 constexpr std::span<const char* const> tagsOf(Direction) {
     return directionTags;
 }
@@ -45,7 +50,7 @@ constexpr std::span<const char* const> tagsOf(Watch) {
 inline constexpr std::array motionTags{"piecewise", "damped",  "pendulum", "oscillator", "dragFall",
                                        "kepler",    "free",    "swings",   "springs",    "floats",
                                        "orbits",    "hoisted", "geared",   "caught",     "rests"};
-inline constexpr std::array moverTags{"path", "slide", "grid", "platform", "swing"};
+inline constexpr std::array moverTags{"path", "slide", "grid", "platform", "swing", "steer"};
 inline constexpr std::array probeTags{"angle", "normalForce", "jointForce",  "position", "velocity",
                                       "limit", "jointBroken", "sensorCount", "snags",    "apart"};
 inline constexpr std::array checkTags{"exact", "agree", "invariant", "order"};

@@ -47,6 +47,8 @@ template <>
 inline constexpr PartName partOf<SwingMotion>{"SwingMotion",
                                               "to and fro about where it starts: amplitude times sin(rate t)"};
 template <>
+inline constexpr PartName partOf<SteeredMotion>{"SteeredMotion", "as an agent that steers, by one of nine behaviours"};
+template <>
 inline constexpr PartName partOf<ClosedForm>{"ClosedForm", "what the textbook says the bodies do"};
 template <>
 inline constexpr PartName partOf<BodyMotion>{"BodyMotion", "how one body moves, by one kind of formula"};

@@ -8,6 +8,7 @@
 #include <compare/scene/named.h>
 #include <compare/scene/require_fields.h>
 #include <plumb/math/check.h>
+#include <plumb/steering/path.h>
 
 namespace plumb::compare {
 namespace {
@@ -47,6 +48,34 @@ void validateMotion(const Scene&, const SwingMotion& motion, const std::string& 
     requireFields(motion, field);
 }
 
+void validateMotion(const Scene& scene, const SteeredMotion& motion, const std::string& field) {
+    requireFields(motion, field);
+    for (std::size_t i = 0; i < motion.points.size(); ++i) requireFinite(motion.points[i], at(field + ".points", i));
+    if (motion.behaviour == Behaviour::Follow) {
+        if (motion.points.size() < 2)
+            refuse(field + ".points", std::to_string(motion.points.size()) + " make no path, wanted 2 or more");
+        requirePositive(lengthOf({motion.points, motion.closed}), field + ".points: the length of their path");
+    }
+    if (scene.wrap.any()) refuse(field, "agents do not see across a seam, wanted none where the world wraps");
+}
+
+/// The target, and what else depends on the body that the mover moves.
+void validateSteered(const Scene& scene, const SceneBody& body, const SteeredMotion& motion, const std::string& field) {
+    const std::string behaviour = quoted(behaviourTags[static_cast<std::size_t>(motion.behaviour)]);
+    if (motion.behaviour == Behaviour::Avoid && !discRadius(body.def))
+        refuse(field + ".behaviour",
+               behaviour + " is for a body with a circle, and " + quoted(body.name) + " has none");
+    const std::string target = field + ".target";
+    if (!needsTarget(motion.behaviour)) {
+        if (!motion.target.empty()) refuse(target, quoted(motion.target) + " is given, wanted none for " + behaviour);
+        return;
+    }
+    requireKnown(motion.target, namesOf(scene.bodies), target, "a body");
+    if (motion.target == body.name) refuse(target, quoted(body.name) + " is the body that steers, wanted another one");
+    if (!isAlwaysThere(*std::ranges::find(scene.bodies, motion.target, &SceneBody::name)))
+        refuse(target, quoted(motion.target) + " appears later, wanted a body that is always there");
+}
+
 }  // namespace
 
 void validateMover(const Scene& scene, std::size_t index) {
@@ -60,6 +89,7 @@ void validateMover(const Scene& scene, std::size_t index) {
         if (scene.movers[i].body == mover.body) refuse(field + ".body", quoted(mover.body) + " has a mover already");
     const std::string path = field + "." + moverTags[mover.motion.index()];
     std::visit([&](const auto& motion) { validateMotion(scene, motion, path); }, mover.motion);
+    if (const auto* steered = std::get_if<SteeredMotion>(&mover.motion)) validateSteered(scene, *body, *steered, path);
 }
 
 }  // namespace plumb::compare

@@ -26,6 +26,7 @@ const std::map<std::string, std::string> notFollowing{
     {"maze_lap", "a mover's speed is no law of physics"},
     {"jump_1985", "a mover's profile is no law of physics"},
     {"jump_modern", "a mover's profile is no law of physics"},
+    {"steering", "what an agent wants is no law of physics"},
     {"arch", "stones that press on each other are not worked out"},
     {"tall_stack", "blocks that stand on each other are not worked out"},
     {"stack_awake", "blocks that stand on each other are not worked out"},
