@@ -32,7 +32,9 @@ const std::vector<Engine>& engines() {
 
 const Engine* findKnown(std::string_view name) {
     const auto found = std::ranges::find(knownEngines(), name, &Engine::name);
-    return found == knownEngines().end() ? nullptr : &*found;
+    if (found != knownEngines().end()) return &*found;
+    static const Engine mine = mineEngine({});
+    return name == mine.name ? &mine : nullptr;
 }
 
 const std::string& subjectName() {

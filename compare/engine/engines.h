@@ -2,6 +2,7 @@
 // How is a scene run in each engine?
 #pragma once
 #include <compare/engine/engine.h>
+#include <compare/engine/own_track.h>
 #include <plumb/dynamics/solver_settings.h>
 
 namespace plumb::compare {
@@ -32,5 +33,11 @@ Engine chipmunkEngine();
 
 /// States are NaN for bodies and times for which the closed form gives nothing. It has no probes.
 Engine closedFormEngine();
+
+/// What somebody measured or calculated, beside the engines. It is in no list: whoever has a track adds it for a run.
+/// States are NaN for other bodies that are not static, and before the first and after the last row; a body's angle is
+/// NaN unless the closed form says that it does not turn. It has no probes. Its build throws std::invalid_argument if
+/// the scene does not have the body, or if the track names none and the scene has no dynamic one.
+Engine mineEngine(OwnTrack track);
 
 }  // namespace plumb::compare
