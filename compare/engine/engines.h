@@ -37,7 +37,8 @@ Engine closedFormEngine();
 /// What somebody measured or calculated, beside the engines. It is in no list: whoever has a track adds it for a run.
 /// States are NaN for other bodies that are not static, and before the first and after the last row; a body's angle is
 /// NaN unless the closed form says that it does not turn. It has no probes. Its build throws std::invalid_argument if
-/// the scene does not have the body, or if the track names none and the scene has no dynamic one.
+/// the scene does not have the body, if the track names none and the scene has no dynamic one, and if no step of the
+/// scene is within the rows.
 Engine mineEngine(OwnTrack track);
 
 }  // namespace plumb::compare

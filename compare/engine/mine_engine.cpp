@@ -2,6 +2,7 @@
 #include <compare/engine/engines.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -133,6 +134,15 @@ std::size_t bodyOf(const OwnTrack& track, const Scene& scene) {
     return bodyIndex(scene, track.body);
 }
 
+/// A run in which the body has no place at any step would seem to have no error.
+void requireSteps(const OwnTrack& track, const Scene& scene) {
+    const double from = track.times.front(), to = track.times.back();
+    const double first = std::max(0.0, std::ceil((from - rowRounding) / scene.dt));
+    if (first * scene.dt <= to + rowRounding && first <= stepCount(scene)) return;
+    refuse(track.file, "no step of the scene, which runs for " + toText(scene.duration) +
+                           " s, is within the rows, from " + toText(from) + " to " + toText(to) + " s");
+}
+
 std::vector<Setting> trackSettings(const OwnTrack& track) {
     if (track.times.empty()) return {};
     return {{"file", track.file},
@@ -154,6 +164,7 @@ Engine mineEngine(OwnTrack track) {
     engine.settings = [track](const Scene&) { return trackSettings(track); };
     engine.build = [track = std::move(track)](const Scene& scene) -> std::unique_ptr<Simulation> {
         if (track.times.size() < 2) throw Unsupported("there is no track");
+        requireSteps(track, scene);
         return std::make_unique<OwnTrackSimulation>(scene, track, bodyOf(track, scene));
     };
     return engine;

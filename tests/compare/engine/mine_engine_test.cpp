@@ -28,7 +28,9 @@ const std::vector<double> unevenTimes{0, 0.1, 0.11, 0.5, 0.9, 1.7, 1.8, 2.9, 3};
 SceneResult shownBeside(const Scene& scene, const OwnTrack& track) {
     std::vector<Engine> shown = engines();
     shown.push_back(mineEngine(track));
-    return runScene(scene, {.inDetail = true}, shown);
+    RunOptions options;
+    options.inDetail = true;
+    return runScene(scene, options, shown);
 }
 
 const EngineResult& mineOf(const SceneResult& result) {
@@ -155,6 +157,17 @@ TEST_CASE("a track is of the body that it names, else of the first dynamic one",
     track.body = "";
     scene.bodies = {floor};
     CHECK(buildComplaint(scene, track) == "f.csv: body: the scene has no dynamic body, wanted a scene with one");
+}
+
+TEST_CASE("a track of 5 to 6 s in a scene of 1 s is refused, and so is one between two steps",
+          "[compare][engine][errors]") {
+    CHECK(buildComplaint(oneDisc(), parabolaAt({5, 6}, {1, 0}, {0, 0})) ==
+          "f.csv: no step of the scene, which runs for 1 s, is within the rows, from 5 to 6 s");
+    CHECK(buildComplaint(oneDisc(), parabolaAt({0.31, 0.39}, {1, 0}, {0, 0})) ==
+          "f.csv: no step of the scene, which runs for 1 s, is within the rows, from 0.31 to 0.39 s");
+    CHECK(buildComplaint(oneDisc(), parabolaAt({-2, -1}, {1, 0}, {0, 0})) ==
+          "f.csv: no step of the scene, which runs for 1 s, is within the rows, from -2 to -1 s");
+    CHECK(buildComplaint(oneDisc(), parabolaAt({1, 2}, {1, 0}, {0, 0})) == "no complaint");
 }
 
 TEST_CASE("the engine of a track is known by its name, is in no list, and looks like no other", "[compare][engine]") {
