@@ -59,8 +59,16 @@ Course courseOf(const Scene& scene, const Observation& run, const Reading& quant
     return course;
 }
 
-/// Not a number where one of them is not.
+/// The values without those that are not numbers, of a track that is shorter than the run. For an engine that has lost
+/// a body and for a formula that ends, nothing is left out.
+std::vector<double> valuesThatCount(const Observation& run, std::vector<double> values) {
+    if (isTrack(run)) std::erase_if(values, [](double value) { return std::isnan(value); });
+    return values;
+}
+
+/// Not a number where one of them is not, or where there is none.
 double extremeOf(const std::vector<double>& values, bool largest) {
+    if (values.empty()) return unsaid;
     double best = values.front();
     for (const double value : values)
         if (std::isnan(value) || (largest ? value > best : value < best)) best = value;
@@ -77,11 +85,11 @@ double endOf(const Observation& run) {
 }
 
 /// Of a query that reads a quantity; time: the moment at which it reads [s].
-std::optional<double> readingAt(const Course& course, AnswerQuery::Kind kind, double time) {
+std::optional<double> readingAt(const Course& course, const Observation& run, AnswerQuery::Kind kind, double time) {
     using Kind = AnswerQuery::Kind;
     switch (kind) {
-        case Kind::Largest: return extremeOf(course.value, true);
-        case Kind::Smallest: return extremeOf(course.value, false);
+        case Kind::Largest: return extremeOf(valuesThatCount(run, course.value), true);
+        case Kind::Smallest: return extremeOf(valuesThatCount(run, course.value), false);
         case Kind::Change: return valueAt(course, time) - course.value.front();
         case Kind::Drop: return course.value.front() - valueAt(course, time);
         case Kind::Period: return periodOf(course);
@@ -141,7 +149,7 @@ std::optional<double> valueOf(const Scene& scene, const Observation& run, const 
     const std::optional<double> time =
         query.when ? timeOf(courseOf(scene, run, query.when->of), *query.when) : endOf(run);
     if (!time || query.kind == Kind::Time || query.kind == Kind::Duration) return time;
-    return readingAt(courseOf(scene, run, query.quantity), query.kind, *time);
+    return readingAt(courseOf(scene, run, query.quantity), run, query.kind, *time);
 }
 
 std::string unitOf(const Scene& scene, const AnswerQuery& query) {

@@ -78,7 +78,7 @@ SceneResult resultOf(const Scene& scene, std::vector<Observation> observed, cons
     }
     if (options.inDetail)
         for (EngineResult& run : result.engines)
-            if (run.observation.role != Role::Truth)
+            if (!run.observation.partial)
                 run.ownSteps =
                     ownSteps(result.scene, *find(engines, &Engine::name, run.observation.engine), run.observation);
     std::vector<const Observation*> runs;

@@ -19,7 +19,7 @@ namespace {
 /// Option values as they are written on the command line.
 struct Raw {
     std::vector<std::string> scenes;
-    std::string word, engines, steps, dt, json, csv, report, repeat, threads;
+    std::string word, engines, steps, dt, mine, json, csv, report, repeat, threads;
     std::vector<std::string> readme, verify, set;
     PrintOptions print;
 };
@@ -109,6 +109,11 @@ CLI::App* describeCheck(CLI::App& app, Raw& raw) {
     check->add_option("--steps", raw.steps, "how many steps to run, instead of the scene's")->type_name("N");
     check->add_option("--dt", raw.dt, "length of a step, instead of the scene's [s]")->type_name("S");
     describeSet(*check, raw);
+    check
+        ->add_option("--mine", raw.mine,
+                     "show also what you measured or calculated in one scene: a table with columns t [s], x [m] and "
+                     "y [m] of a body, which a column body may name; else it is the first dynamic one")
+        ->type_name("FILE");
     check->add_option("--json", raw.json, "write metrics and verdicts to this file")->type_name("FILE");
     check
         ->add_option("--csv", raw.csv,
@@ -208,6 +213,7 @@ void takeCheck(const CLI::App& check, const Raw& raw, const std::vector<Engine>&
     if (given("--engines")) result.options.engines = enginesFrom(raw.engines, known);
     if (given("--steps")) result.options.steps = countFrom("--steps", raw.steps);
     if (given("--dt")) result.options.dt = dtFrom(raw.dt);
+    if (given("--mine")) result.mine = pathFrom("--mine", raw.mine);
     if (given("--json")) result.json = pathFrom("--json", raw.json);
     if (given("--csv")) result.csv = pathFrom("--csv", raw.csv);
     if (given("--report")) result.report = pathFrom("--report", raw.report);

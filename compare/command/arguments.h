@@ -51,6 +51,7 @@ struct Arguments {
     PrintOptions print;
     BenchOptions bench;
     PageOptions pages;
+    std::optional<std::filesystem::path> mine;  ///< a track of the user, to be shown beside the engines
     std::optional<std::filesystem::path> json, csv, report;
     std::string help;  ///< the text to print for Help
 };

@@ -20,8 +20,10 @@
 #include <compare/command/scene_choice.h>
 #include <compare/command/scene_list.h>
 #include <compare/command/verdict_table.h>
+#include <compare/engine/engines.h>
 #include <compare/report/report.h>
 #include <compare/scene/json.h>
+#include <compare/scene/scene_file.h>
 #include <compare/scene/schema/schema.h>
 #include <compare/view/verdict_json.h>
 
@@ -39,9 +41,9 @@ void makeFolder(const std::string& option, const std::filesystem::path& folder) 
 
 /// The engines that have a column: those asked for, without the closed form. The others are compared with the closed
 /// form.
-std::vector<std::string> columns(const RunOptions& options) {
+std::vector<std::string> columns(const RunOptions& options, const std::vector<Engine>& engines) {
     std::vector<std::string> result;
-    for (const Engine& engine : enginesWith(options.engines)) {
+    for (const Engine& engine : engines) {
         const auto& asked = options.engines;
         const bool runs = asked.empty() || std::find(asked.begin(), asked.end(), engine.name) != asked.end();
         if (runs && engine.role != Role::Truth) result.push_back(engine.name);
@@ -70,16 +72,27 @@ void setFields(std::vector<Scene>& scenes, const std::vector<FieldSetting>& sett
     }
 }
 
+/// The engine that shows the user's track, for one scene.
+Engine engineOfTrack(const std::filesystem::path& file, const Choice& choice, const std::vector<std::string>& named) {
+    if (named.empty()) throw std::invalid_argument("--mine: no scene is named, wanted one");
+    if (!choice.labs.empty())
+        throw std::invalid_argument(fmt::format("--mine: {} is a lab, wanted a scene", choice.labs.front().name));
+    if (choice.scenes.size() != 1)
+        throw std::invalid_argument(
+            fmt::format("--mine: {} is {} scenes, wanted one", fmt::join(named, " "), choice.scenes.size()));
+    return mineEngine(ownTrackFrom(readText(file, "a table with columns t, x and y"), file.string()));
+}
+
 /// isTold: print where engines part, one sentence for each pair.
-std::vector<SceneResult> runScenes(const std::vector<Scene>& scenes, const RunOptions& options, std::ostream& out,
-                                   bool colour, bool isTold) {
+std::vector<SceneResult> runScenes(const std::vector<Scene>& scenes, const RunOptions& options,
+                                   const std::vector<Engine>& engines, std::ostream& out, bool colour, bool isTold) {
     std::vector<SceneResult> results;
     if (scenes.empty()) return results;
-    const VerdictTable table(out, columns(options), scenes, colour);
+    const VerdictTable table(out, columns(options, engines), scenes, colour);
     table.head();
     for (const Scene& scene : scenes) {
         try {
-            results.push_back(runScene(scene, options, enginesWith(options.engines)));
+            results.push_back(runScene(scene, options, engines));
         } catch (const std::exception& error) {
             throw std::runtime_error(fmt::format("scene {}: {}", scene.name, error.what()));
         }
@@ -115,12 +128,18 @@ int check(const Arguments& arguments, std::ostream& out, bool colour) {
     options.inDetail = !arguments.scenes.empty() || arguments.report;
     for (const FieldSetting& setting : arguments.set)
         options.changed.push_back(fmt::format("{} = {}", setting.path, setting.value));
+    std::vector<Engine> shown = enginesWith(options.engines);
+    if (arguments.mine) {
+        shown.push_back(engineOfTrack(*arguments.mine, choice, arguments.scenes));
+        if (!options.engines.empty()) options.engines.push_back(shown.back().name);
+    }
     std::optional<OutputFile> json;
     if (arguments.json) json.emplace("--json", *arguments.json);
     if (arguments.csv) makeFolder("--csv", *arguments.csv);
     if (arguments.report) makeFolder("--report", *arguments.report);
     const AccuracyPages pages(arguments, engines());
-    const std::vector<SceneResult> scenes = runScenes(choice.scenes, options, out, colour, !arguments.scenes.empty());
+    const std::vector<SceneResult> scenes =
+        runScenes(choice.scenes, options, shown, out, colour, !arguments.scenes.empty());
     if (!choice.scenes.empty() && !choice.labs.empty()) fmt::print(out, "\n");
     const std::vector<LabResult> labs = runLabs(choice.labs, arguments.options, out, colour);
     if (json) json->write(verdictJson(scenes, labs));

@@ -105,6 +105,9 @@ void VerdictTable::partings(const SceneResult& result) const {
     for (const EngineResult& run : result.engines)
         if (run.observation.role == Role::Subject && !run.answer.empty()) fmt::print(out_, "      {}\n", run.answer);
     for (const EngineResult& run : result.engines)
+        if (isTrack(run.observation) && !run.answer.empty())
+            fmt::print(out_, "      {}: {}\n", run.observation.engine, run.answer);
+    for (const EngineResult& run : result.engines)
         for (const auto& [path, value] : settingsFor(run.observation.engine, result.scene))
             fmt::print(out_, "      {}: {} = {}\n", run.observation.engine, path, value);
     for (const EngineResult& run : result.engines)

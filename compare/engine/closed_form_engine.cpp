@@ -38,6 +38,7 @@ Engine closedFormEngine() {
     engine.name = "closed-form";
     engine.label = engine.product = "Closed form";
     engine.role = Role::Truth;
+    engine.isPartial = true;
     engine.look = {"#1b222c", "#f2f2f2", {3, 4}, 2, false, true};
     engine.settings = closedFormSettings;
     engine.build = [](const Scene& scene) {

@@ -99,6 +99,8 @@ struct EngineCard {
     std::string missing;          ///< how to get it, if this build does not have it; empty if each build has it
     bool onDemand = false;        ///< it runs only if it is named
     bool oneSidedChains = false;  ///< its chains are solid on the right of their direction only
+    /// It may leave out bodies and times: their states are not numbers, and nobody has to know them.
+    bool isPartial = false;
 };
 
 /// An engine's own number, which a scene may set.
@@ -136,7 +138,7 @@ const std::vector<Engine>& engines();
 /// The same, and those of these names that run only if they are named.
 std::vector<Engine> enginesWith(const std::vector<std::string>& names);
 
-/// The known engine with this name; null if there is none.
+/// The known engine with this name, or what is known of the one that shows a track of the user; null if there is none.
 const Engine* findKnown(std::string_view name);
 /// The name of the engine under test, and of the engine with which tables of speed compare it.
 const std::string& subjectName();

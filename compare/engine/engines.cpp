@@ -42,7 +42,9 @@ std::vector<Engine> enginesWith(const std::vector<std::string>& names) {
 
 const Engine* findKnown(std::string_view name) {
     const auto found = std::ranges::find(knownEngines(), name, &Engine::name);
-    return found == knownEngines().end() ? nullptr : &*found;
+    if (found != knownEngines().end()) return &*found;
+    static const Engine mine = mineEngine({});
+    return name == mine.name ? &mine : nullptr;
 }
 
 const std::string& subjectName() {

@@ -94,7 +94,7 @@ Run::Run(const Scene& scene, const Engine& engine) : recorder_(std::make_unique<
     seen_.version = engine.version;
     seen_.settings = engine.settings(scene);
     seen_.role = engine.role;
-    seen_.partial = engine.role == Role::Truth;
+    seen_.partial = engine.isPartial;
     seen_.dt = scene.dt;
     try {
         simulation_ = engine.build(withJointsWatched(scene));

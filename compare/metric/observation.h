@@ -22,8 +22,8 @@ struct Observation {
     std::string version;
     std::vector<Setting> settings;
     std::string unsupported;  ///< why the engine could not build the scene; empty when it could
-    /// The engine may leave bodies and times out, as a closed form does: their states are not numbers. Where this is
-    /// false, a state that is not a number is an infinite error.
+    /// The engine may leave bodies and times out, as a closed form does (see EngineCard::isPartial): their states are
+    /// not numbers. Where this is false, a state that is not a number is an infinite error.
     bool partial = false;
     double dt = 0;  ///< [s]
     /// [tick][body], tick 0 is the start: steps + 1 rows; none when the engine could not build the scene.
@@ -67,6 +67,11 @@ private:
 
 /// Runs a scene in an engine from start to end.
 Observation observe(const Scene& scene, const Engine& engine);
+
+/// It shows a track that the user brought.
+inline bool isTrack(const Observation& run) {
+    return run.partial && run.role != Role::Truth;
+}
 
 /// Which joints had broken by a tick.
 Broken brokenBy(const Observation& run, std::size_t tick);

@@ -25,6 +25,7 @@ public:
     }
 
     void find() {
+        if (isTrack(parted_.a) || isTrack(parted_.b)) return addSpeeds(Difference::Track);
         if (!isFinite(stateIn(parted_.a)) || !isFinite(stateIn(parted_.b))) return;
         const std::vector<Share> shares = sharesOf(parted_, joints_, touching_);
         if (parted_.scene.bodies[parted_.body].def.type == BodyType::Kinematic)

@@ -68,6 +68,7 @@ std::vector<Portion> portionsAtEnd(const Scene& scene, const Observation& a, con
     while (tick > 0 && std::isnan(Paths(scene, a, b, body).wayAt(tick).norm())) --tick;
     const Parted parted{scene, a, b, body, tick, Paths(scene, a, b, body).wayAt(tick)};
     std::vector<Portion> portions;
+    if (isTrack(a) || isTrack(b)) return portions;
     if (tick == 0 || !std::isfinite(parted.offset.norm()) || parted.offset.isZero(0)) return portions;
     for (const Share& share : sharesOf(parted, JointStates(scene), Touching(scene))) {
         const bool isTouch = share.agent == Agent::Across || share.agent == Agent::Along;

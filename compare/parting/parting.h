@@ -27,6 +27,7 @@ enum class Difference {
     Steps,     ///< how far steps have moved the body in addition to its velocity: the order of the integration [m]
     Driven,    ///< the speed of a body that a mover moves [m/s]
     Energy,    ///< gained since the start although a law keeps it, relative to the largest of the run [-]
+    Track,     ///< the speed of a body in two runs, of which one is the user's track: that tells no cause [m/s]
 };
 
 /// Its name in files: "gap", "overlap", "bounce".

@@ -13,8 +13,13 @@ bool mayPart(const SceneBody& body) {
     return body.def.type != BodyType::Static && body.def.enabled;
 }
 
+/// An engine that may leave bodies out may also leave out their angles.
+bool isSaid(const Observation& run, const BodyState& state) {
+    return run.partial ? state.position.allFinite() && state.velocity.allFinite() : isFinite(state);
+}
+
 bool isThere(const Observation& run, std::size_t body, std::size_t tick) {
-    return tick < run.states.size() && run.states[tick][body].present && isFinite(run.states[tick][body]);
+    return tick < run.states.size() && run.states[tick][body].present && isSaid(run, run.states[tick][body]);
 }
 
 }  // namespace
@@ -34,7 +39,7 @@ Vec2 Paths::offsetAt(std::size_t tick) const {
 
 double Paths::lostAt(std::size_t tick) const {
     const BodyState &inA = a_.states[tick][body_], &inB = b_.states[tick][body_];
-    const bool saidA = isFinite(inA), saidB = isFinite(inB);
+    const bool saidA = isSaid(a_, inA), saidB = isSaid(b_, inB);
     if (!inA.present || !inB.present || (!saidA && a_.partial) || (!saidB && b_.partial)) return unsaid;
     return saidA && saidB ? 0 : unbounded;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* differenceNames[] = {"none",   "break", "gap",    "overlap", "passed",   "bounce",
                                            "moment", "hit",   "snag",   "sliding", "pressing", "pull",
-                                           "flight", "steps", "driven", "energy"};
+                                           "flight", "steps", "driven", "energy",  "track"};
 constexpr const char* agentNames[] = {"across", "along", "joints", "nothing", "steps"};
 constexpr double mostShare = 1.25;       // of the distance: with larger parts, no parts are told [-]
 constexpr std::size_t mostTold = 3;      // so many parts are told
@@ -177,6 +177,7 @@ std::string causeText(const Scene& scene, const Parting& parting) {
         case Difference::Energy:
             return fmt::format("energy, which nothing takes here, has {} in {}, {} in {}", gainText(sides.value),
                                sides.engine, gainText(sides.otherValue), sides.other);
+        case Difference::Track: return "it moves " + speedsText(parting) + ", and a track tells no cause";
         case Difference::Passed: return touchText(parting) + chainText(scene, parting);
         default: return touchText(parting);
     }

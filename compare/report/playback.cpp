@@ -63,7 +63,7 @@ PlaybackFormat formatWithin(const SceneResult& result, std::size_t share) {
     Excursion least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     for (const EngineResult& engine : result.engines) {
         const Observation& run = engine.observation;
-        if (run.role == Role::Truth || !run.unsupported.empty()) continue;
+        if (run.partial || !run.unsupported.empty()) continue;
         const Excursion far = excursionOf(result.scene, run);
         least = {std::min(least.length, far.length), std::min(least.angle, far.angle)};
     }

@@ -25,8 +25,9 @@ json cardData(const EngineCard& card) {
             {"oneSidedChains", card.oneSidedChains}};
 }
 
-/// For an engine that is not known: its name and its role.
+/// Of an engine that is not in the list. If nothing is known of it: its name and its role.
 EngineCard strangerFrom(const Observation& run) {
+    if (const Engine* known = findKnown(run.engine)) return *known;
     EngineCard card;
     card.name = card.label = card.product = run.engine;
     card.version = run.version;

@@ -50,7 +50,10 @@ inline Engine namedEngine(const std::string& name,
     Engine engine;
     engine.name = engine.label = engine.product = name;
     engine.version = "1";
-    if (const Engine* known = findKnown(name)) engine.role = known->role;
+    if (const Engine* known = findKnown(name)) {
+        engine.role = known->role;
+        engine.isPartial = known->isPartial;
+    }
     engine.settings = noSettings;
     engine.build = build;
     return engine;

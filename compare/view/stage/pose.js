@@ -9,7 +9,9 @@ function poseOf(scene, engine, frame, body) {
     if (slot === undefined || scene.ticks[frame] >= engine.ticks) return null;
     const at = 3 * (frame * engine.bodies.length + slot);
     const pose = {x: engine.poses[at], y: engine.poses[at + 1], angle: engine.poses[at + 2]};
-    return Number.isFinite(pose.x + pose.y + pose.angle) ? pose : null;
+    // A measured track has places alone: its body is drawn as it stood at the start.
+    if (!Number.isFinite(pose.angle)) pose.angle = start[2];
+    return Number.isFinite(pose.x + pose.y) ? pose : null;
 }
 
 /// Differences are measured from the closed form, or from Plumb if there is none.
