@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include <compare/engine/engines.h>
+
 namespace plumb::compare {
 namespace {
 
@@ -35,17 +37,20 @@ EngineCard strangerFrom(const Observation& run) {
     return card;
 }
 
+json withNumbers(const Engine& engine) {
+    json data = cardData(engine);
+    for (const EngineNumber& number : engine.numbers)
+        data["numbers"].push_back(
+            {{"name", number.name}, {"byDefault", number.byDefault}, {"least", number.least}, {"most", number.most}});
+    return data;
+}
+
 }  // namespace
 
 json engineCards(std::span<const SceneResult> results) {
     json data = json::array();
     for (const Engine& engine : engines()) {
-        data.push_back(cardData(engine));
-        for (const EngineNumber& number : engine.numbers)
-            data.back()["numbers"].push_back({{"name", number.name},
-                                              {"byDefault", number.byDefault},
-                                              {"least", number.least},
-                                              {"most", number.most}});
+        data.push_back(withNumbers(engine));
         if (engine.withBullets) data.push_back(cardData(engine.withBullets()));
     }
     const auto isThere = [&](const std::string& name) {
@@ -54,6 +59,14 @@ json engineCards(std::span<const SceneResult> results) {
     for (const SceneResult& result : results)
         for (const EngineResult& run : result.engines)
             if (!isThere(run.observation.engine)) data.push_back(cardData(strangerFrom(run.observation)));
+    return data;
+}
+
+json cardsOnDemand() {
+    json data = json::array();
+    for (const Engine& engine : knownEngines())
+        if (engine.build && engine.onDemand) data.push_back(withNumbers(engine));
+    data.push_back(cardData(mineEngine({})));
     return data;
 }
 

@@ -12,5 +12,7 @@ namespace plumb::compare {
 /// In the order in which they are shown: name, label, role, look and own numbers of the engines of this build, of those
 /// that the results have, and of variants with bullets.
 nlohmann::json engineCards(std::span<const SceneResult> results = {});
+/// The same of engines that run only if they are named, and of a track that somebody brings.
+nlohmann::json cardsOnDemand();
 
 }  // namespace plumb::compare

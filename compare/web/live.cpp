@@ -6,19 +6,12 @@
 #include <stdexcept>
 
 #include <compare/engine/engine.h>
+#include <compare/engine/engines.h>
 
 namespace plumb::compare {
 namespace {
 
 constexpr std::size_t mostBodies = 100;  // of a scene whose forces are kept
-
-std::vector<Engine> enginesOf(const std::vector<std::string>& names) {
-    std::vector<Engine> wanted = enginesWith(names);
-    std::erase_if(wanted, [&](const Engine& engine) {
-        return !names.empty() && std::ranges::find(names, engine.name) == names.end();
-    });
-    return wanted;
-}
 
 }  // namespace
 
@@ -71,9 +64,24 @@ void Live::start(std::vector<std::string> engines) {
     begin();
 }
 
+void Live::bring(std::string_view csv, const std::string& file) {
+    Engine made = mineEngine(ownTrackFrom(csv, file));
+    (void)made.build(scene_);
+    brought_ = std::move(made);
+}
+
+std::vector<Engine> Live::wanted() const {
+    std::vector<Engine> wanted = enginesWith(engines_);
+    std::erase_if(wanted, [&](const Engine& engine) {
+        return !engines_.empty() && std::ranges::find(engines_, engine.name) == engines_.end();
+    });
+    if (brought_) wanted.push_back(*brought_);
+    return wanted;
+}
+
 void Live::begin() {
     runs_.clear();
-    for (const Engine& engine : enginesOf(engines_)) runs_.emplace_back(scene_, engine);
+    for (const Engine& engine : wanted()) runs_.emplace_back(scene_, engine);
     pushes_.assign(runs_.size(), {{}});
     tick_ = 0;
 }
@@ -132,7 +140,9 @@ SceneResult Live::resultOfRuns(bool inDetail) {
     RunOptions options;
     options.changed = changed();
     options.inDetail = inDetail;
-    return resultOf(scene_, std::move(observed), options, enginesWith(engines_));
+    std::vector<Engine> known = enginesWith(engines_);
+    if (brought_) known.push_back(*brought_);
+    return resultOf(scene_, std::move(observed), options, known);
 }
 
 }  // namespace plumb::compare

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <compare/check/verdict.h>
+#include <compare/engine/engine.h>
 #include <compare/scene/set_field.h>
 
 namespace plumb::compare {
@@ -29,6 +31,9 @@ public:
     /// The scene as it was.
     void reset();
 
+    /// A track that somebody brings is shown beside the engines from the next start on. Throws std::invalid_argument if
+    /// it is not one of this scene, and as ownTrackFrom does.
+    void bring(std::string_view csv, const std::string& file);
     /// Begins the runs anew, with engines of these names; all of this build if there are none. Nobody pulls any more.
     void start(std::vector<std::string> engines = {});
     /// Goes on until all runs have this tick or are over, or the time is used up; at least one tick if there is one.
@@ -60,6 +65,7 @@ private:
         std::optional<Hand> hand;
     };
     void begin();
+    std::vector<Engine> wanted() const;
     void stepTo(std::size_t tick);
 
     Scene original_, scene_;
@@ -67,6 +73,7 @@ private:
     std::vector<std::string> engines_{};
     std::vector<Run> runs_{};
     std::vector<std::vector<std::vector<Push>>> pushes_{};  // [run][tick]
+    std::optional<Engine> brought_{};                       // made of a track
     std::vector<Pull> pulls_{};                             // by tick
     std::size_t tick_ = 0;
 };

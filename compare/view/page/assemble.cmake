@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Makes one page of its parts. In: PAGE, SCENE, STYLES and SCRIPTS (separated by commas), CHARTS, OUTPUT.
+# Makes one page of its parts. In: PAGE, SCENE, STYLES and SCRIPTS (separated by commas), CHARTS, OUTPUT; of a page with
+# formulas also KATEX, the folder of the library, and of one with lessons LESSONS and WORDS (separated by commas).
 
 cmake_minimum_required(VERSION 3.22)
 
@@ -26,7 +27,57 @@ foreach(text IN ITEMS "${charts}" "${scripts}")
     endif()
 endforeach()
 
-foreach(part scene style charts scripts)
+# The library's style with the fonts that formulas of lessons need.
+function(read_formula_style variable)
+    file(READ "${KATEX}/katex.min.css" style)
+    string(REGEX REPLACE "@font-face{[^}]*}" "" style "${style}")
+    foreach(font Main-Regular Main-Italic Math-Italic Size1-Regular Size2-Regular Size3-Regular)
+        string(REGEX MATCH "^[A-Za-z0-9]+" family "${font}")
+        string(FIND "${font}" "Italic" at)
+        set(slant normal)
+        if(at GREATER 0)
+            set(slant italic)
+        endif()
+        execute_process(COMMAND base64 --wrap=0 "${KATEX}/fonts/KaTeX_${font}.woff2" OUTPUT_VARIABLE bytes
+                        COMMAND_ERROR_IS_FATAL ANY)
+        string(APPEND style "@font-face{font-family:KaTeX_${family};font-style:${slant};"
+                            "src:url(data:font/woff2;base64,${bytes}) format('woff2')}\n")
+    endforeach()
+    set(${variable} "${style}" PARENT_SCOPE)
+endfunction()
+
+# The files as one JSON list, or as one object by their names.
+function(read_json files variable kind)
+    set(text "")
+    string(REPLACE "," ";" files "${files}")
+    foreach(file IN LISTS files)
+        file(READ "${file}" part)
+        get_filename_component(name "${file}" NAME_WE)
+        if(kind STREQUAL "object")
+            string(PREPEND part "\"${name}\": ")
+        endif()
+        string(APPEND text "${separator}${part}")
+        set(separator ",\n")
+    endforeach()
+    if(kind STREQUAL "object")
+        set(text "{${text}}")
+    else()
+        set(text "[${text}]")
+    endif()
+    string(REPLACE "</" "<\\/" text "${text}")
+    set(${variable} "${text}" PARENT_SCOPE)
+endfunction()
+
+set(parts scene style charts scripts)
+if(KATEX)
+    read_formula_style(katex_style)
+    file(READ "${KATEX}/katex.min.js" katex)
+    read_json("${LESSONS}" lessons list)
+    read_json("${WORDS}" words object)
+    list(APPEND parts katex_style katex lessons words)
+endif()
+
+foreach(part IN LISTS parts)
     string(REPLACE "@@${part}@@" "${${part}}" page "${page}")
 endforeach()
 file(WRITE "${OUTPUT}" "${page}")

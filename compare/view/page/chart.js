@@ -53,7 +53,7 @@ class Chart {
         this.figure.hidden = curve.lines.length === 0;
         if (this.figure.hidden) return;
         this.values = curve.lines.map((line) => {
-            const {engine} = line, {label} = lookOfLine(line);
+            const {engine} = line, label = say(lookOfLine(line).label);
             const name = line.look ? element("dt", {style: `color: var(${line.look.color})`}, label)
                 : element("dt", {title: label}, engineMark(engine), element("span", {class: "unseen"}, label));
             const value = element("dd");

@@ -68,15 +68,15 @@ function showTransport(player, scene) {
     const frame = player.frame;
     const time = scene.times[frame];
     byId("clock").textContent = timeText(time);
-    byId("tick").textContent = `step ${scene.ticks[frame]} of ${scene.steps}`;
+    byId("tick").textContent = sayWith("step {0} of {1}", scene.ticks[frame], scene.steps);
     const {from, until} = player.watch;
-    byId("stopwatch").textContent = from === undefined ? "Stopwatch" : `Δt ${timeText((until ?? time) - from)}`;
+    byId("stopwatch").textContent = from === undefined ? say("Stopwatch") : `Δt ${timeText((until ?? time) - from)}`;
     byId("stopwatch").setAttribute("aria-pressed", String(from !== undefined && until === undefined));
     const scrub = byId("scrub");
     scrub.value = frame;
     scrub.style.setProperty("--done", `${(100 * frame) / Math.max(1, scene.ticks.length - 1)}%`);
     scrub.setAttribute("aria-valuetext", timeText(time));
     const play = byId("play");
-    play.textContent = player.playing ? "❚❚ Pause" : "▶ Play";
+    play.textContent = player.playing ? `❚❚ ${say("Pause")}` : `▶ ${say("Play")}`;
     play.setAttribute("aria-pressed", String(player.playing));
 }

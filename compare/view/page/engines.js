@@ -49,5 +49,5 @@ function engineMark(engine) {
 }
 
 function engineName(engine) {
-    return element("span", {class: "engine"}, engineMark(engine), lookOf(engine).label);
+    return element("span", {class: "engine"}, engineMark(engine), say(lookOf(engine).label));
 }

@@ -13,8 +13,9 @@ const PREFIXES = {
     rad: [[1, "rad"], [1e-3, "mrad"], [1e-6, "µrad"]],
 };
 
+/// As the page's language writes it.
 function minus(text) {
-    return text.replace(/-/g, "−");
+    return numberText(text.replace(/-/g, "−"));
 }
 
 /// Without a power of ten: 0.00123, 12.3, 12300.
@@ -63,12 +64,12 @@ function quantity(x, unit, digits = 3) {
 
 /// For little room: one digit before a power of ten.
 function shortQuantity(x, unit) {
-    return quantity(x, unit).replace(/^(−?\d)\.\d+×/, (_, lead) => `${lead}×`);
+    return quantity(x, unit).replace(/^(−?\d)[.,]\d+×/, (_, lead) => `${lead}×`);
 }
 
 /// A value that was chosen, not measured: 2 mm, not 2.00 mm.
 function chosenQuantity(x, unit, digits = 3) {
-    return quantity(x, unit, digits).replace(/\.(\d*?)0+(?=\D|$)/, (_, kept) => (kept ? `.${kept}` : ""));
+    return quantity(x, unit, digits).replace(/([.,])(\d*?)0+(?=\D|$)/, (_, point, kept) => (kept ? point + kept : ""));
 }
 
 /// In the unit itself, as on a ruler: −0.9961 m. Less than a millionth is shown as 0.
@@ -79,14 +80,14 @@ function rulerText(x, unit) {
 }
 
 function timeText(t) {
-    return t.toFixed(3) + NO_BREAK + "s";
+    return numberText(t.toFixed(3)) + NO_BREAK + "s";
 }
 
 /// A tick of an axis whose ticks are `step` apart.
 function axisText(x, step) {
     if (Math.abs(x) < step * 1e-6) return "0";
     const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-    if (decimals > 5 || Math.abs(x) >= 1e5) return scientific(x).replace(/\.?0+×/, "×");
+    if (decimals > 5 || Math.abs(x) >= 1e5) return scientific(x).replace(/[.,]?0+×/, "×");
     return minus(x.toFixed(decimals));
 }
 

@@ -6,7 +6,7 @@ set(PLUMB_VIEW_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
 
 # In this order: a script may use the scripts before it at once, and those after it once the page runs.
 set(PLUMB_VIEW_SCRIPTS
-    page/dom.js page/bytes.js page/format.js page/formula.js page/engines.js page/data.js
+    page/words.js page/dom.js page/bytes.js page/format.js page/formula.js page/engines.js page/data.js
     stage/pose.js stage/camera.js stage/paper.js stage/field.js stage/still.js stage/path.js
     stage/quantities.js stage/arrows.js stage/tools.js stage/readout.js stage/aim.js stage/stage.js stage/picture.js
     page/player.js page/curves.js page/limits.js page/chart.js page/charts.js page/csv.js page/numbers.js
@@ -26,21 +26,36 @@ function(plumb_find_dygraphs)
     endforeach()
 endfunction()
 
-# plumb_assemble_page(<output> <page> STYLES ... SCRIPTS ...): what the page has beside what all share. In the page
-# @@style@@, @@scene@@, @@charts@@ and @@scripts@@ say where each goes.
+# In PLUMB_KATEX is the folder of KaTeX, which sets formulas.
+function(plumb_find_katex)
+    find_path(PLUMB_KATEX katex.min.js
+        PATHS ${CMAKE_SYSTEM_PREFIX_PATH} /usr
+        PATH_SUFFIXES share/javascript/katex share/nodejs/katex/dist lib/node_modules/katex/dist
+        DOC "KaTeX, which sets the formulas of lessons")
+endfunction()
+
+# plumb_assemble_page(<output> <page> STYLES ... SCRIPTS ... [LESSONS ... WORDS ...]): what the page has beside what all
+# share. In the page @@style@@, @@scene@@, @@charts@@ and @@scripts@@ say where each goes; of one with lessons, also
+# @@lessons@@, @@words@@, @@katex@@ and @@katex_style@@.
 function(plumb_assemble_page output page)
-    cmake_parse_arguments(own "" "" "STYLES;SCRIPTS" ${ARGN})
+    cmake_parse_arguments(own "" "" "STYLES;SCRIPTS;LESSONS;WORDS" ${ARGN})
     set(styles "${PLUMB_DYGRAPHS_CSS}" ${PLUMB_VIEW_STYLES} ${own_STYLES})
     set(scripts ${PLUMB_VIEW_SCRIPTS} ${own_SCRIPTS})
     list(JOIN styles "," style_names)
     list(JOIN scripts "," script_names)
+    set(lessons "")
+    if(own_LESSONS)
+        list(JOIN own_LESSONS "," lesson_names)
+        list(JOIN own_WORDS "," word_names)
+        set(lessons "-DKATEX=${PLUMB_KATEX}" "-DLESSONS=${lesson_names}" "-DWORDS=${word_names}")
+    endif()
     add_custom_command(
         OUTPUT "${output}"
         COMMAND "${CMAKE_COMMAND}" "-DPAGE=${page}" "-DSCENE=${PLUMB_VIEW_DIR}/page/scene.html"
             "-DSTYLES=${style_names}" "-DCHARTS=${PLUMB_DYGRAPHS_JS}" "-DSCRIPTS=${script_names}"
-            "-DOUTPUT=${output}" -P "${PLUMB_VIEW_DIR}/page/assemble.cmake"
+            "-DOUTPUT=${output}" ${lessons} -P "${PLUMB_VIEW_DIR}/page/assemble.cmake"
         DEPENDS "${page}" "${PLUMB_VIEW_DIR}/page/scene.html" "${PLUMB_VIEW_DIR}/page/assemble.cmake" ${styles}
-            ${scripts} "${PLUMB_DYGRAPHS_JS}"
+            ${scripts} "${PLUMB_DYGRAPHS_JS}" ${own_LESSONS} ${own_WORDS}
         COMMENT "Putting together ${output}"
         VERBATIM)
 endfunction()

@@ -95,7 +95,7 @@ class StageAim {
         this.canvas.style.touchAction = isWhole ? "pan-y" : "none";
         const note = byId("following");
         note.hidden = aim.follow === null;
-        note.textContent = aim.follow === null ? "" : `Following ${scene.bodies[aim.follow].name} ✕`;
+        note.textContent = aim.follow === null ? "" : `${sayWith("Following {0}", say(scene.bodies[aim.follow].name))} ✕`;
         this.changed();
     }
 

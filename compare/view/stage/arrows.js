@@ -102,7 +102,7 @@ function drawArrows(context, camera, view, engine) {
             const from = [camera.x(at[0]), camera.y(at[1])];
             drawArrow(context, from, [dx, -dy], filled);
             if (name && Math.hypot(dx, dy) >= 4)
-                labels.push([`${name} ${quantity(Math.hypot(...vector), "N")}`, from[0] + dx, from[1] - dy, dx]);
+                labels.push([`${say(name)} ${quantity(Math.hypot(...vector), "N")}`, from[0] + dx, from[1] - dy, dx]);
         }
         if (engine !== guideOf(view) || labels.length > MOST_NAMES) continue;
         for (const label of labels) drawArrowName(context, view.theme, ...label);
@@ -136,11 +136,11 @@ function drawMomentumSum(context, camera, view) {
     context.lineWidth = 3;
     drawArrow(context, start, [x - start[0], y - start[1]], false);
     const sum = Math.hypot(...[0, 1].map((part) => momenta.reduce((total, p) => total + p[part], 0)));
-    const text = `sum of momenta: ${quantity(sum, "kg m/s")}`;
+    const text = `${say("sum of momenta")}: ${quantity(sum, "kg m/s")}`;
     labelOnPaper(context, view.theme, text, start[0], start[1] - 1.6 * view.theme.text, "left");
 }
 
-const KEY_WORDS = {force: ", all forces together", causes: ", each force", acceleration: ", acceleration"};
+const KEY_WORDS = {force: "all forces together", causes: "each force", acceleration: "acceleration"};
 
 /// A key above the lower ruler: how long an arrow is for which speed and force.
 function drawArrowKey(context, camera, view) {
@@ -153,7 +153,7 @@ function drawArrowKey(context, camera, view) {
         const {unit, width, filled} = ARROWS[kind];
         const size = niceStep(30 / scale);
         const x = camera.margins.left + 10;
-        const label = `${chosenQuantity(size, unit)}${KEY_WORDS[kind] ?? ""}`;
+        const label = chosenQuantity(size, unit) + (KEY_WORDS[kind] ? `, ${say(KEY_WORDS[kind])}` : "");
         context.strokeStyle = context.fillStyle = theme.ink;
         context.lineWidth = width;
         drawArrow(context, [x, y], [size * scale, 0], filled);

@@ -112,8 +112,8 @@ function momentAt(view, px, py) {
 /// What is said of the moment, line by line.
 function momentLines(scene, {engine, body, name, time, x, y, velocity}) {
     const where = `x ${rulerText(x, "m")}   y ${rulerText(y, "m")}`;
-    const lines = [`${lookOf(engine.name).label}: ${scene.bodies[body].name}${name ? `, ${name}` : ""}`,
-        `t ${time.toFixed(4)}${NO_BREAK}s   ${where}`];
+    const lines = [`${say(lookOf(engine.name).label)}: ${say(scene.bodies[body].name)}${name ? `, ${say(name)}` : ""}`,
+        `t ${numberText(time.toFixed(4))}${NO_BREAK}s   ${where}`];
     if (velocity) lines.push(`v ${quantity(Math.hypot(...velocity), "m/s", 4)}   ` +
         `(${velocity.map((part) => withDigits(part, 4)).join(", ")})${NO_BREAK}m/s`);
     return lines;

@@ -240,7 +240,7 @@ function readyContext(canvas) {
 }
 
 /// view: scene, box, frame, hidden (a set of engine names), path, trails, the kinds of ARROWS, magnify, aim, tools,
-/// pointer. isPicture: true for a small picture without rulers.
+/// pointer, overlay (draws more, on the context with the camera). isPicture: true for a small picture without rulers.
 function drawStage(canvas, view) {
     const {clientWidth: width, clientHeight: height} = canvas;
     if (width === 0 || height === 0) return;
@@ -260,6 +260,7 @@ function drawStage(canvas, view) {
     }
     context.setLineDash([]);
     if (view.isPicture) return;
+    view.overlay?.(context, camera);
     drawMomentumSum(context, camera, view);
     drawRulers(context, camera, theme);
     drawScaleBar(context, camera, theme);

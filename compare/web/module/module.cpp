@@ -12,6 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include <compare/check/answer.h>
+#include <compare/lesson/bounds.h>
+#include <compare/lesson/lesson.h>
 #include <compare/scene/bench.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
@@ -119,6 +122,53 @@ const std::vector<double>& seriesOf(const EngineResult& run, std::string_view na
     throw std::invalid_argument("there is no series \"" + std::string(name) + "\"");
 }
 
+/// Of runs that go on, or that were measured.
+const Observation& observationOf(std::size_t run) {
+    return result ? result->engines.at(run).observation : open().seen(run);
+}
+
+json pairOf(const Vec2& v) {
+    return {v.x(), v.y()};
+}
+
+json boundsData(const Scene& scene, const std::vector<BodyState>& states) {
+    json data = json::array();
+    for (const ShapeBounds& bounds : boundsOf(scene, states)) {
+        json corners = json::array();
+        for (const Vec2& corner : cornersOf(bounds.oriented)) corners.push_back(pairOf(corner));
+        data.push_back({{"body", bounds.body},
+                        {"circle", {bounds.circle.center.x(), bounds.circle.center.y(), bounds.circle.radius}},
+                        {"upright", {pairOf(bounds.upright.lower), pairOf(bounds.upright.upper)}},
+                        {"oriented", corners}});
+    }
+    return data;
+}
+
+json pairsData(const Scene& scene, const std::vector<BodyState>& states) {
+    json data = json::array();
+    for (const BoundsPair& pair : boundsPairs(scene, states)) {
+        data.push_back({{"a", pair.a},
+                        {"b", pair.b},
+                        {"circles", pair.circles},
+                        {"upright", pair.upright},
+                        {"oriented", pair.oriented}});
+        if (pair.shapes)
+            data.back()["shapes"] = {{"depth", pair.shapes->depth},
+                                     {"normal", pairOf(pair.shapes->normal)},
+                                     {"at", pairOf(pair.shapes->pointA)}};
+    }
+    return data;
+}
+
+json testsData(const Scene& scene, const std::vector<BodyState>& states) {
+    constexpr const char* names[] = {"brute force", "grid", "sweep and prune", "hierarchy"};  // as in broadPhases
+    json data = json::array();
+    for (const PairTests& each : pairTests(scene, states))
+        data.push_back(
+            {{"way", names[static_cast<std::size_t>(each.way)]}, {"tests", each.tests}, {"pairs", each.pairs}});
+    return data;
+}
+
 const EngineResult& resultAt(std::size_t run) {
     if (!result) throw std::logic_error("nothing was measured");
     return result->engines.at(run);
@@ -143,7 +193,7 @@ PLUMB_EXPORT(numbersAt) const double* numbersAt() {
 /// Says engines and scenes: {"engines", "scenes": [{"name", "title", "group", "question", "bench"}]}.
 PLUMB_EXPORT(list) double list() {
     return tried([] {
-        json data{{"engines", engineCards()}, {"scenes", json::array()}};
+        json data{{"engines", engineCards()}, {"onDemand", cardsOnDemand()}, {"scenes", json::array()}};
         for (const Scene& scene : builtinScenes())
             data["scenes"].push_back({{"name", scene.name},
                                       {"title", titleOf(scene)},
@@ -182,6 +232,42 @@ PLUMB_EXPORT(reset) double resetScene() {
 PLUMB_EXPORT(exported) double exported(std::uint32_t everything) {
     return tried(
         [=] { text = everything != 0 ? toJson(open().scene(), Defaults::Written) : toJson(open().sceneToKeep()); });
+}
+
+/// Opens the scene of the lesson that the given JSON describes; says {"lesson", "scene"}.
+PLUMB_EXPORT(lesson) double openLesson() {
+    return tried([] {
+        const Lesson lesson = lessonFromJson(given, "lesson");
+        openScene(lesson.scene);
+        say({{"lesson", json::parse(toJson(lesson))}, {"scene", json::parse(text)}});
+    });
+}
+/// What a query reads of a run; not a number if there is nothing to read. Says its unit.
+PLUMB_EXPORT(valueOf) double valueIn(std::uint32_t run) {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    const double fault = tried([&] {
+        const Scene& scene = open().scene();
+        const AnswerQuery query = answerQuery(scene, given);
+        const Observation& seen = observationOf(run);
+        if (!seen.states.empty()) value = valueOf(scene, seen, query).value_or(value);
+        text = unitOf(scene, query);
+    });
+    numbers = {value};
+    return fault;
+}
+/// Says what bounding volumes and broad phases make of a run's bodies at a tick: {"bounds", "pairs", "tests"}.
+PLUMB_EXPORT(boundsOf) double boundsAt(std::uint32_t run, std::uint32_t tick) {
+    return tried([=] {
+        const Scene& scene = open().scene();
+        const std::vector<BodyState>& states = observationOf(run).states.at(tick);
+        say({{"bounds", boundsData(scene, states)},
+             {"pairs", pairsData(scene, states)},
+             {"tests", testsData(scene, states)}});
+    });
+}
+/// A track as CSV: shown beside the engines from the next start on.
+PLUMB_EXPORT(bring) double bringTrack() {
+    return tried([] { open().bring(given, "file"); });
 }
 
 /// Says the JSON Schema of scenes.

@@ -56,6 +56,8 @@ class Comparison {
         return new Float64Array(this.exports.memory.buffer, this.exports.numbersAt(), count);
     }
 
+    /// Opens the scene of a lesson: {lesson, scene}.
+    lesson(json) { return this.ask("lesson", json); }
     schema() { return this.ask("schema"); }
     list() { return this.ask("list"); }
     open(name) { return this.ask("open", name); }
@@ -69,6 +71,18 @@ class Comparison {
     probes(run, from, until) { return this.numbers(this.call("probesOf", run, from, until)); }
     pushes(run, tick) { return this.numbers(this.call("pushesOf", run, tick)); }
     hold(tick, body, [gripX, gripY], [x, y]) { return this.call("hold", tick, body, gripX, gripY, x, y); }
+    bring(csv) {
+        this.give(csv);
+        this.call("bring");
+    }
+    /// What a query reads of a run: {value, unit}; value is null if there is nothing to read.
+    value(run, query) {
+        this.give(query);
+        this.call("valueOf", run);
+        const [value] = this.numbers(1);
+        return {value: Number.isFinite(value) ? value : null, unit: this.text()};
+    }
+    bounds(run, tick) { return this.ask("boundsOf", "", run, tick); }
     drop(tick) { return this.call("drop", tick); }
     measure(inDetail) { return this.ask("measure", "", inDetail ? 1 : 0); }
     series(run, name) {

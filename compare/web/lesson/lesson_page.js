@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+// How does a lesson go? A question, a prediction, a run, and what comes of it; then the values may be turned.
+
+const LESSON_QUIET = 180;  // after the last change, until charts and numbers follow [ms]
+const LESSON_SLICE = 9;  // of computing before each picture [ms]
+
+class LessonPage {
+    constructor(comparison, list) {
+        Object.assign(this, {comparison, list, runs: new Runs(comparison), values: new Values(comparison), schema: null});
+        this.player = new Player(() => this.showTime());
+        this.showSpeed = bindTransport(this.player, () => this.settled());
+        this.view = {scene: null, hidden: new Set(), magnify: 1, aim: wholeView(), theme: stageTheme(), tools: {}};
+        this.aim = new StageAim(byId("stage"), this.view, () => this.draw());
+        bindKeys(this.player, this.aim, () => this.view.scene !== null);
+        this.panel = new Panel(byId("controls"), (paths, text, isOver) => this.turn(paths, text, isOver),
+            (fault) => { byId("refused").textContent = fault; });
+        this.worse = new Worse(byId("worse"), () => this.rebuild());
+        this.bind();
+    }
+
+    bind() {
+        const click = (id, act) => byId(id).addEventListener("click", act);
+        click("run", () => this.predicted());
+        click("show", () => this.know(null));
+        click("again", () => this.ask());
+        click("reset", () => this.reset());
+        click("stopwatch", () => { this.player.pressStopwatch(); this.showTime(); });
+        for (const drawn of [...DRAWN, "bounds"]) byId(drawn).addEventListener("change", ({target}) => {
+            this.view[drawn] = target.checked;
+            this.draw();
+        });
+        for (const tool of Object.keys(TOOLS)) byId(tool).addEventListener("change", ({target}) => {
+            if (target.checked) this.view.tools[tool] = toolPoints(this.view.camera, tool);
+            else delete this.view.tools[tool];
+            this.draw();
+        });
+        new ResizeObserver(() => this.restyle()).observe(byId("stage"));
+        matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.restyle());
+    }
+
+    // ---- opening
+
+    /// json: of the lesson. Throws what is wrong with it.
+    open(json, {changed = []} = {}) {
+        this.close();
+        const {lesson, scene} = this.comparison.lesson(json);
+        this.runs.take(scene);
+        Object.assign(this, {lesson, json, changed: new Map(changed), own: null});
+        this.worse.open(lesson.worse, [...this.list.engines, ...this.list.onDemand]);
+        this.start();
+        this.view.box = sceneBox(this.scene);
+        this.view.aim = wholeView();
+        this.view.tools = {};
+        this.player.load(this.scene.times);
+        byId("scrub").max = this.scene.ticks.length - 1;
+        this.showWords();
+        this.ask();
+        this.aim.fit();
+    }
+
+    close() {
+        cancelAnimationFrame(this.waiting);
+        clearTimeout(this.quiet);
+        this.player.stop();
+        this.view.scene = null;
+        this.runs.scene = null;
+        for (const chart of this.charts ?? []) chart.clear();
+        this.charts = [];
+        byId("charts").replaceChildren();
+    }
+
+    get scene() { return this.runs.scene; }
+    get engines() { return [...new Set([...this.lesson.engines, ...this.worse.engines])]; }
+
+    /// The runs begin anew with all that is set.
+    start() {
+        const faults = [];
+        this.runs.reset();
+        for (const [path, value] of [...this.changed, ...this.worse.settings]) {
+            try {
+                this.runs.set(path, value);
+            } catch (error) {
+                faults.push(error.message);
+            }
+        }
+        byId("refused").textContent = faults.join("; ");
+        this.values.forget();
+        this.runs.start(this.engines);
+        this.view.scene = this.scene;
+        this.isMeasured = false;
+        this.advance();
+    }
+
+    advance() {
+        cancelAnimationFrame(this.waiting);
+        clearTimeout(this.quiet);
+        this.waiting = requestAnimationFrame(() => {
+            if (!this.scene) return;
+            const isNew = this.runs.advance(LESSON_SLICE);
+            this.player.known = this.scene.times[this.runs.tick];
+            if (isNew && !this.player.playing) this.draw();
+            if (this.runs.isOver) this.quiet = setTimeout(() => this.measure(), LESSON_QUIET);
+            else this.advance();
+        });
+    }
+
+    measure() {
+        if (!this.scene || !this.runs.isOver || this.isMeasured) return;
+        this.runs.measure(false);
+        this.isMeasured = true;
+        if (this.view.aim.zoom === 1 && this.view.aim.follow === null) this.view.box = sceneBox(this.scene);
+        this.showResults();
+        document.body.dataset.measured = "yes";
+    }
+
+    /// The same lesson with other engines or values.
+    rebuild() {
+        const {time} = this.player;
+        document.body.dataset.measured = "no";
+        this.start();
+        this.player.times = this.scene.times;
+        this.player.time = Math.min(time, this.player.end);
+        byId("scrub").max = this.scene.ticks.length - 1;
+        this.view.box.addBox(sceneBox(this.scene));
+        this.showKeys();
+        this.showTime();
+        this.settled();
+    }
+
+    // ---- the course of a lesson
+
+    ask() {
+        document.body.dataset.known = "no";
+        this.player.stop();
+        this.player.seek(0);
+        byId("judged").textContent = "";
+        delete byId("judged").dataset.right;
+        this.makeWidget();
+        this.showDrawn(false);
+        this.draw();
+    }
+
+    makeWidget() {
+        const {predict} = this.lesson, host = byId("predict");
+        if (predict.number) this.widget = numberWidget(host, predict);
+        else if (predict.choice) this.widget = choiceWidget(host, predict);
+        else this.widget = curveWidget(host, predict, this.scene.times, this.padRange());
+        this.widget.lock(false);
+    }
+
+    /// A range that does not give away where the curve is: it is symmetric, or as wide again as the run.
+    padRange() {
+        while (!this.runs.isOver) this.runs.advance(1000);
+        const values = this.curveOf(this.lesson.predict.curve.value).filter(Number.isFinite);
+        const low = Math.min(0, ...values), high = Math.max(0, ...values);
+        const step = niceStep(Math.max(high - low, 1e-6) / 4);
+        return [Math.floor(low / step - 0.5) * step, Math.ceil(high / step + 0.5) * step];
+    }
+
+    /// The values of a quantity, as the closed form has them, else the engine under test.
+    curveOf(quantityText) {
+        const curve = motionChoices(this.scene).find(({label}) => label.startsWith(`${quantityText} [`))?.curve();
+        const ordered = (curve?.lines ?? []).sort((a, b) => rank({name: a.engine}) - rank({name: b.engine}));
+        const full = ordered.find(({values}) => values.some(Number.isFinite));
+        return full ? Array.from(full.values) : [];
+    }
+
+    predicted() {
+        const said = this.widget.said();
+        if (said === null) {
+            byId("judged").textContent = say("Say first what you expect.");
+            return;
+        }
+        this.said = said;
+        this.widget.lock(true);
+        document.body.dataset.known = "run";
+        byId("judged").textContent = "";
+        this.showDrawn(true);
+        this.player.seek(0);
+        this.player.play();
+        bringStageIntoView();
+    }
+
+    /// What is true is shown; said: what was predicted, or null.
+    know(said) {
+        while (!this.runs.isOver) this.runs.advance(1000);
+        document.body.dataset.known = "yes";
+        this.widget.lock(true);
+        this.showDrawn(true);
+        if (said !== null) this.judge(said);
+        this.measure();
+        this.showResults();
+        this.showTime();
+    }
+
+    judge(said) {
+        const {predict} = this.lesson;
+        const judged = predict.number ? judgeNumber(predict, said, this.values.truth(this.scene, predict.number.value))
+            : predict.choice ? judgeChoice(predict, said)
+            : judgeCurve(predict, said, {times: [...this.scene.times], values: this.curveOf(predict.curve.value)});
+        byId("judged").textContent = judged.text;
+        byId("judged").dataset.right = judged.isRight;
+        if (predict.curve) this.widget.showTruth(this.curveOf(predict.curve.value));
+    }
+
+    // ---- changes
+
+    turn(paths, text, isOver) {
+        for (const path of paths) {
+            this.changed.delete(path);
+            this.changed.set(path, text);
+        }
+        this.rebuild();
+        if (byId("judged").dataset.right !== undefined) {
+            delete byId("judged").dataset.right;
+            byId("judged").textContent = say("The values have changed: predict again.");
+        }
+        if (isOver) this.panel.update(this.exported(), this.runs.data.bodies);
+    }
+
+    reset() {
+        this.changed.clear();
+        this.rebuild();
+        this.showPanel();
+    }
+
+    exported() { return JSON.parse(this.comparison.exported(true)); }
+
+    // ---- what is shown
+
+    showWords() {
+        const {lesson} = this;
+        byId("lesson-title").textContent = say(lesson.title);
+        document.title = `${say(lesson.title)} – ${say("Plumb lessons")}`;
+        byId("slides").textContent = lesson.slides.length > 0 ? sayWith("Slides {0}", lesson.slides.join(", ")) : "";
+        byId("about").textContent = say(lesson.about);
+        byId("question").textContent = say(lesson.question);
+        byId("worse-card").hidden = lesson.worse.length === 0;
+        byId("turn").hidden = lesson.controls.length === 0;
+        byId("counts-frame").hidden = !lesson.show.some((shown) => shown === "bounds" || shown === "tests");
+        byId("bounds").parentElement.hidden = !lesson.show.includes("bounds");
+        byId("questions").replaceChildren(...lesson.questions.map(({ask}) => element("li", {}, element("details", {},
+            element("summary", {}, say(ask)), element("p", {class: "answer-text"})))));
+        this.showPanel();
+        this.showKeys();
+        this.makeCharts();
+        showOwnFiles(this);
+    }
+
+    showPanel() {
+        const controls = this.lesson.controls.map((control) => ({...control, label: say(control.label), meaning: ""}));
+        this.panel.show([{title: say("This lesson"), controls, open: true}], this.exported(), this.runs.data.bodies);
+    }
+
+    showKeys() {
+        byId("engine-keys").replaceChildren(...this.scene.engines.map(({name, unsupported}) => {
+            const input = element("input", {type: "checkbox", "data-engine": name, onchange: ({target}) => {
+                if (target.checked) this.view.hidden.delete(name);
+                else this.view.hidden.add(name);
+                for (const chart of this.charts) chart.setHidden(this.view.hidden);
+                this.draw();
+            }});
+            input.checked = !unsupported && !this.view.hidden.has(name);
+            input.disabled = Boolean(unsupported);
+            return element("label", {title: unsupported ?? ""}, input, element("span", {}, engineName(name)));
+        }));
+    }
+
+    /// The ways and arrows would tell the answer before it is predicted.
+    showDrawn(isTold) {
+        const {show} = this.lesson;
+        for (const drawn of [...DRAWN, "bounds"]) {
+            this.view[drawn] = isTold ? show.includes(drawn) : drawn === "bounds" && show.includes(drawn);
+            byId(drawn).checked = this.view[drawn];
+            byId(drawn).disabled = !isTold && drawn !== "bounds";
+        }
+    }
+
+    makeCharts() {
+        const seek = (time) => { this.player.seek(time); this.settled(); };
+        this.charts = this.lesson.charts.map((text) => {
+            const chart = new Chart(element("h2", {}, say(text === "error" ? "Distance to the closed form" : text === "energy"
+                ? "Energy by kind" : text)), seek, (window) => { for (const each of this.charts) each.setWindow(window); });
+            chart.text = text;
+            return chart;
+        });
+        byId("charts").replaceChildren(...this.charts.map((chart) => chart.figure));
+        byId("charts").classList.toggle("odd", this.charts.length % 2 === 1);
+    }
+
+    fillCharts() {
+        const {scene} = this;
+        for (const chart of this.charts) {
+            const {text} = chart;
+            if (text === "error") chart.show(logarithmic(errorCurve(scene), undefined), {}, say("distance"));
+            else if (text === "energy") this.fillEnergy(chart);
+            else {
+                const choice = motionChoices(scene).find(({label}) => label.startsWith(`${text} [`) || label === text);
+                if (choice) chart.show(linear(choice.curve()), {}, choice.axis);
+            }
+            chart.setHidden(this.view.hidden);
+        }
+    }
+
+    fillEnergy(chart) {
+        const engine = this.scene.running.find(({name, energies}) => isSubject(name) && energies.length > 0)
+            ?? this.scene.running.find(({energies}) => energies.length > 0);
+        const sum = {...engineCurve(this.scene, "energy", "J"), ruler: true};
+        const isByKind = engine?.energies.length > 1 && this.worse.on.size === 0;
+        chart.show(isByKind ? stackedEnergies(this.scene, engine) : linear(sum), {}, "E");
+    }
+
+    showResults() {
+        if (!this.isMeasured || document.body.dataset.known !== "yes") return;
+        const {scene, lesson, values} = this;
+        this.fillCharts();
+        byId("because").textContent = values.filled(scene, say(lesson.because));
+        byId("formula-card").hidden = lesson.formula.length === 0;
+        byId("formula").replaceChildren(...lesson.formula.map((line) => formulaElement(values.worked(scene, line))));
+        byId("source").textContent = scene.closedForm ? sayWith("Closed form: {0}", scene.closedForm.source) : "";
+        byId("numbers").replaceChildren(...lessonNumbersTable(values, scene, lesson));
+        byId("questions").querySelectorAll(".answer-text").forEach((each, i) => {
+            each.textContent = values.filled(scene, say(lesson.questions[i].answer));
+        });
+        this.worse.show((each) => worseText(values, scene, lesson, each));
+        showOwnFiles(this);
+    }
+
+    showTime() {
+        const {scene} = this;
+        if (!scene) return;
+        const isOver = !this.player.playing && this.player.time >= this.player.end - 1e-9;
+        if (isOver && document.body.dataset.known === "run") this.know(this.said);
+        showTransport(this.player, scene);
+        if (this.lesson.countsSteps) byId("clock").textContent = sayWith("step {0}", this.player.frame);
+        for (const chart of this.charts) chart.moveTo(scene.times[this.player.frame]);
+        this.draw();
+    }
+
+    draw() {
+        const {scene, view, lesson} = this;
+        if (!scene) return;
+        view.frame = this.player.frame;
+        byId("stage").setAttribute("aria-label", `${say(lesson.title)}, ${timeText(scene.times[view.frame])}`);
+        const data = view.bounds || lesson.show.includes("tests") ? this.boundsNow() : null;
+        view.overlay = data && view.bounds ? (context, camera) => drawBounds(context, camera, view.theme, data) : null;
+        drawStage(byId("stage"), view);
+        if (!data) return;
+        byId("counts").replaceChildren(...lesson.show.includes("tests") ? testsTable(data, data.bounds.length)
+            : boundsTable(scene, data));
+    }
+
+    boundsNow() {
+        const engine = this.scene.running.find(({name, run}) => run !== undefined && isSubject(name))
+            ?? this.scene.running.find(({run}) => run !== undefined);
+        return engine && this.view.frame < engine.ticks ? this.comparison.bounds(engine.run, this.view.frame) : null;
+    }
+
+    restyle() {
+        this.view.theme = stageTheme();
+        this.draw();
+        if (document.body.dataset.known === "yes") this.showResults();
+    }
+
+    settled() {
+        if (this.scene) writeLessonAddress({name: this.lesson.name, packed: this.packed, changed: [...this.changed]});
+    }
+}

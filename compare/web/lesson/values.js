@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What do texts and formulas of a lesson say of a run? Each has queries, which the module answers.
+
+const SHOWN_UNITS = {deg: "°", "m/s^2": "m/s²", "kg m/s^2": "kg m/s²"};
+
+/// A number as it is worked with by hand: four digits, without zeros at the end.
+function workedText(x) {
+    if (x === null || !Number.isFinite(x)) return NONE;
+    const size = Math.abs(x);
+    if (size < 1e-12) return "0";
+    if (size < 1e-3 || size >= 1e6) return scientific(x, 4);
+    return numberText(String(Number(x.toPrecision(4))));
+}
+
+function valueText({value, unit}) {
+    const shown = SHOWN_UNITS[unit] ?? unit;
+    if (value === null || !Number.isFinite(value)) return NONE;
+    const isTiny = Math.abs(value) < 1e-3 && Math.abs(value) > 1e-12;
+    if (isTiny && PREFIXES[unit]) return quantity(value, unit, 3);
+    return minus(workedText(value)) + (shown && shown !== "-" ? (shown === "°" ? "" : NO_BREAK) + shown : "");
+}
+
+/// The queries of a run, each asked once.
+class Values {
+    constructor(comparison) {
+        this.comparison = comparison;
+        this.forget();
+    }
+
+    forget() { this.known = new Map(); }
+
+    /// {value, unit} of an engine of the scene; value is null if there is nothing to read.
+    of(engine, query) {
+        const key = `${engine.name} ${query}`;
+        if (!this.known.has(key)) {
+            this.known.set(key, engine.run === undefined || engine.unsupported ? {value: null, unit: ""}
+                : this.comparison.value(engine.run, query));
+        }
+        return this.known.get(key);
+    }
+
+    /// The closed form's where it knows one, else that of the engine under test.
+    truth(scene, query) {
+        const ordered = [...scene.running].sort((a, b) => rank(a) - rank(b));
+        for (const engine of ordered) {
+            const found = this.of(engine, query);
+            if (found.value !== null) return found;
+        }
+        return {value: null, unit: ""};
+    }
+
+    /// The text with the values of an engine, or with true ones.
+    filled(scene, text, engine = null) {
+        return text.replace(/\{([^{}]*)\}/g, (_, query) =>
+            valueText(engine ? this.of(engine, query) : this.truth(scene, query)));
+    }
+
+    /// The formula in LaTeX, with true values; a negative one in parentheses.
+    worked(scene, formula) {
+        return formula.replace(/<([^<>]*)>/g, (_, query) => latexNumber(this.truth(scene, query).value));
+    }
+}
+
+function rank(engine) {
+    return isTruth(engine.name) ? 0 : isSubject(engine.name) ? 1 : 2;
+}
+
+function latexNumber(value) {
+    if (value === null || !Number.isFinite(value)) return "\\text{–}";
+    const text = workedText(value).replace(",", "{,}").replaceAll("−", "-")
+        .replace(/×10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)/, (_, power) => `\\cdot 10^{${plainPower(power)}}`);
+    return value < 0 ? `(${text})` : text;
+}
+
+function plainPower(power) {
+    return [...power].map((c) => (c === "⁻" ? "-" : "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c))).join("");
+}
+
+/// The queries of a formula, in its order.
+function queriesIn(formula) {
+    return [...formula.matchAll(/<([^<>]*)>/g)].map(([, query]) => query);
+}
+
+function formulaElement(latex) {
+    const line = element("div", {class: "worked"});
+    katex.render(latex, line, {displayMode: true, throwOnError: false, output: "htmlAndMathml"});
+    return line;
+}

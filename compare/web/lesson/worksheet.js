@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What does a class get on paper? A page with the questions and room to answer, and a page with the answers.
+
+function lines(count) {
+    return Array.from({length: count}, () => element("div", {class: "write-line"}));
+}
+
+function worksheetPicture() {
+    const stage = byId("stage");
+    return element("img", {src: stage.toDataURL("image/png"), alt: ""});
+}
+
+function predictionOnPaper({predict}) {
+    if (predict.number) return [element("p", {}, `${say("Your prediction")}: ________________ ${SHOWN_UNITS[predict.number.unit] ?? predict.number.unit}`)];
+    if (predict.choice) return predict.choice.options.map((text) => element("p", {class: "tick-box"}, say(text)));
+    return [element("p", {}, sayWith("Draw {0} over the time:", say(predict.curve.value))), element("div", {class: "graph-paper"})];
+}
+
+/// The values as they are set now.
+function givenOnPaper(live) {
+    const rows = live.panel.rows.map(({control, number}) => `${control.label}: ${numberText(number.value)} ${control.unit}`.trim());
+    return rows.length > 0 ? element("p", {class: "given"}, `${say("Given")}: ${rows.join("; ")}`) : null;
+}
+
+function answersOnPaper(live) {
+    const {lesson, values, scene} = live, {predict} = lesson;
+    const truth = predict.number ? valueText(values.truth(scene, predict.number.value))
+        : predict.choice ? say(predict.choice.options[predict.choice.right - 1]) : say("The curve is on the page of the lesson.");
+    return element("section", {class: "sheet-page"}, element("h1", {}, `${say(lesson.title)}: ${say("answers")}`),
+        element("h2", {}, say(lesson.question)), element("p", {}, truth),
+        element("p", {}, values.filled(scene, say(lesson.because))),
+        ...lesson.formula.map((line) => formulaElement(values.worked(scene, line))),
+        element("ol", {}, ...lesson.questions.map(({ask, answer}) =>
+            element("li", {}, element("p", {}, say(ask)), element("p", {}, values.filled(scene, say(answer)))))));
+}
+
+function fillWorksheet(live) {
+    const {lesson} = live;
+    live.player.seek(0);
+    byId("worksheet").replaceChildren(
+        element("section", {class: "sheet-page"},
+            element("p", {class: "name-line"}, `${say("Name")} ______________________   ${say("Date")} ____________`),
+            element("h1", {}, say(lesson.title)), element("p", {}, say(lesson.about)), worksheetPicture(), givenOnPaper(live),
+            element("h2", {}, say(lesson.question)), ...predictionOnPaper(lesson),
+            element("p", {}, `${say("What the run shows")}: ________________`),
+            element("ol", {}, ...lesson.questions.map(({ask}) => element("li", {}, element("p", {}, say(ask)), ...lines(2))))),
+        answersOnPaper(live));
+}
+
+function printWorksheet(live) {
+    while (!live.runs.isOver) live.runs.advance(1000);
+    fillWorksheet(live);
+    byId("worksheet").hidden = false;
+    document.body.classList.add("printing");
+    const done = () => {
+        document.body.classList.remove("printing");
+        byId("worksheet").hidden = true;
+    };
+    addEventListener("afterprint", done, {once: true});
+    print();
+}
