@@ -11,6 +11,7 @@
 
 #include <compare/check/aimed.h>
 #include <compare/check/course.h>
+#include <compare/metric/bounds.h>
 #include <compare/metric/length_text.h>
 #include <compare/scene/answer.h>
 #include <compare/scene/joint_geometry.h>
@@ -97,6 +98,20 @@ std::optional<double> readingAt(const Course& course, const Observation& run, An
     }
 }
 
+std::optional<double> overlapOf(const Scene& scene, const std::vector<BodyState>& states, const AnswerQuery& query) {
+    const std::size_t a = bodyIndex(scene, query.bodyA), b = bodyIndex(scene, query.bodyB);
+    double depth = 0;
+    for (const BoundsPair& pair : boundsPairs(scene, states))
+        if (pair.shapes && ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)))
+            depth = std::max(depth, pair.shapes->depth);
+    return depth;
+}
+
+std::optional<double> testsOf(const Scene& scene, const std::vector<BodyState>& states, const std::string& way) {
+    const auto index = std::ranges::find(broadPhaseNames, way) - broadPhaseNames.begin();
+    return static_cast<double>(pairTests(scene, states)[static_cast<std::size_t>(index)].tests);
+}
+
 std::string numberText(double value, const std::string& unit) {
     if (std::isnan(value)) return "–";
     if (unit == "m" && std::abs(value) < 0.0995) return (value < 0 ? "-" : "") + lengthText(std::abs(value));
@@ -146,6 +161,9 @@ std::optional<double> valueOf(const Scene& scene, const Observation& run, const 
     if (query.kind == Kind::Gravity) return scene.gravity.norm();
     if (query.kind == Kind::Field) return numberAt(scene, query.name);
     if (query.kind == Kind::Aim) return aimed(scene, query.aim);
+    if (query.kind == Kind::Overlap)
+        return overlapOf(scene, query.when ? run.states.front() : run.states.back(), query);
+    if (query.kind == Kind::Tests) return testsOf(scene, run.states.back(), query.name);
     const std::optional<double> time =
         query.when ? timeOf(courseOf(scene, run, query.when->of), *query.when) : endOf(run);
     if (!time || query.kind == Kind::Time || query.kind == Kind::Duration) return time;
@@ -155,8 +173,10 @@ std::optional<double> valueOf(const Scene& scene, const Observation& run, const 
 std::string unitOf(const Scene& scene, const AnswerQuery& query) {
     using Kind = AnswerQuery::Kind;
     if (query.kind == Kind::Gravity) return "m/s^2";
-    if (query.kind == Kind::Field) return "";
+    if (query.kind == Kind::Field || query.kind == Kind::Tests) return "";
+    if (query.kind == Kind::Overlap) return "m";
     if (query.kind == Kind::Aim) return unitOf(query.aim);
+    if (query.kind == Kind::Metric) return metricUnit(scene, query.name);
     const bool isTime = query.kind == Kind::Time || query.kind == Kind::Duration || query.kind == Kind::Period;
     return isTime ? "s" : unitOf(scene, query.quantity);
 }

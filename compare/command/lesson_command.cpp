@@ -32,7 +32,7 @@ Json jsonOf(const std::optional<double>& value) {
 }
 
 void print(const Lesson& lesson, const LessonResult& result, std::ostream& out) {
-    fmt::print(out, "{}: {}\n  {}\n", lesson.name, lesson.title, lesson.question);
+    fmt::print(out, "{}: {}\n  {}\n", lesson.name, lesson.title, result.question);
     for (const LessonNumber& number : result.numbers)
         fmt::print(out, "  {}: {}\n", number.query, valueText(number.value, number.unit));
     fmt::print(out, "  because: {}\n", result.because);

@@ -16,7 +16,12 @@ constexpr std::span<const char* const> tagsOf(Shown) {
     return shownTags;
 }
 
+void fields(auto& visit, OrConst<LessonValue> auto& x) {
+    visit(needed({"label", "", Allowed::any, "what a reader calls it"}), x.label);
+    visit(needed({"value", "", Allowed::any, "what is read of the run: a query"}), x.value);
+}
 void fields(auto& visit, OrConst<NumberPrediction> auto& x) {
+    visit(needed({"label", "", Allowed::any, "what a reader calls it"}), x.label);
     visit(needed({"value", "", Allowed::any, "what is read of the run: a query"}), x.value);
     visit({"unit", "", Allowed::any, "as it is printed"}, x.unit);
     visit({"from", "the unit", Allowed::finite, "the least that may be said"}, x.from);
@@ -28,6 +33,7 @@ void fields(auto& visit, OrConst<ChoicePrediction> auto& x) {
     visit({"right", "", Allowed::any, "which one holds, from 1"}, x.right);
 }
 void fields(auto& visit, OrConst<CurvePrediction> auto& x) {
+    visit(needed({"label", "", Allowed::any, "what a reader calls it"}), x.label);
     visit(needed({"value", "", Allowed::any, "the quantity over time: \"y of ball\""}), x.value);
     visit({"unit", "", Allowed::any, "as it is printed"}, x.unit);
     visit({"within", "-", Allowed::positive, "a mean distance up to this share of the curve's range is right"},
@@ -58,10 +64,14 @@ void fields(auto& visit, OrConst<Lesson> auto& x) {
     visit(needed({"because", "", Allowed::any, "why it is so, with queries between braces"}), x.because);
     visit({"controls", "", Allowed::any, "what may be turned, as in a scene"}, x.controls);
     visit({"show", "", Allowed::any, "what is drawn besides the bodies"}, x.show);
-    visit({"charts", "", Allowed::any, "quantities over time: \"y of ball\"; or \"energy\", \"error\""}, x.charts);
+    visit({"charts", "", Allowed::any, "over time; the value is a quantity, \"y of ball\", or \"energy\" or \"error\""},
+          x.charts);
+    visit({"numbers", "", Allowed::any, "for a table, beside what is predicted"}, x.numbers);
     visit({"formula", "", Allowed::any, "lines in LaTeX, with queries between < and >"}, x.formula);
     visit({"worse", "", Allowed::any, "engines and settings that are worse"}, x.worse);
     visit(needed({"questions", "", Allowed::any, "for the worksheet, with answers"}), x.questions);
+    visit({"counts", "", Allowed::any, "numbers that the scene's name may end in: how many bodies there are"},
+          x.counts);
     visit({"countsSteps", "", Allowed::any, "does a page count steps in place of seconds?"}, x.countsSteps);
 }
 

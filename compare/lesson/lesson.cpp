@@ -9,6 +9,7 @@
 #include <compare/lesson/fields.h>
 #include <compare/scene/bench.h>
 #include <compare/scene/builtin.h>
+#include <compare/scene/crowd.h>
 #include <compare/scene/json_reader.h>
 #include <compare/scene/json_value.h>
 #include <compare/scene/json_writer.h>
@@ -32,6 +33,7 @@ auto inField(const std::string& field, const Act& act) {
 
 Scene sceneNamed(const std::string& name) {
     if (std::optional<Scene> scene = findScene(name)) return *std::move(scene);
+    if (std::optional<Scene> scene = crowdScene(name)) return *std::move(scene);
     const std::vector<BenchScene> found = findBenchScenes(name);
     if (found.size() == 1) return found.front().build();
     requireKnown(name, namesOf(builtinScenes()), sceneField, "a scene");
@@ -143,8 +145,10 @@ void validate(const Lesson& lesson) {
         },
         lesson.predict);
     for (std::size_t i = 0; i < lesson.charts.size(); ++i)
-        if (lesson.charts[i] != "energy" && lesson.charts[i] != "error")
-            requireQuantity(lesson.scene, lesson.charts[i], at("charts", i));
+        if (lesson.charts[i].value != "energy" && lesson.charts[i].value != "error")
+            requireQuantity(lesson.scene, lesson.charts[i].value, at("charts", i) + ".value");
+    for (std::size_t i = 0; i < lesson.numbers.size(); ++i)
+        inField(at("numbers", i) + ".value", [&] { return answerQuery(lesson.scene, lesson.numbers[i].value); });
     // A path that does not exist is found by setting its own value.
     for (std::size_t i = 0; i < lesson.controls.size(); ++i)
         for (const std::string& path : lesson.controls[i].set)

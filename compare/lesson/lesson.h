@@ -11,8 +11,15 @@
 
 namespace plumb::compare {
 
+/// What is read of a run, and what a reader calls it.
+struct LessonValue {
+    std::string label{};  ///< "height at the top"
+    std::string value{};  ///< a query of the run: see scene/answer.h
+};
+
 /// A number, for example "how high?".
 struct NumberPrediction {
+    std::string label{};  ///< "height at the top"
     std::string value{};  ///< a query of the run: see scene/answer.h
     std::string unit{};   ///< as it is printed
     double from = 0, to = 10;
@@ -27,6 +34,7 @@ struct ChoicePrediction {
 
 /// A curve over the time of the run, drawn by hand.
 struct CurvePrediction {
+    std::string label{};   ///< "height"
     std::string value{};   ///< "y of ball": a quantity
     std::string unit{};    ///< as it is printed
     double within = 0.08;  ///< a mean distance up to this share of the range of the true curve is right [-]
@@ -72,12 +80,14 @@ struct Lesson {
     Prediction predict{};
     std::string because{};  ///< why it is so: shown once there is a prediction
     std::vector<Shown> show{};
-    std::vector<std::string> charts{};   ///< quantities: "y of ball"; or "energy", "error"
+    std::vector<LessonValue> charts{};   ///< of quantities: "y of ball"; or "energy", "error"
+    std::vector<LessonValue> numbers{};  ///< for a table, beside the predicted one
     std::vector<std::string> formula{};  ///< lines in LaTeX, worked with the numbers of the run
     std::vector<WorseCase> worse{};
     std::vector<LessonQuestion> questions{};
     std::vector<SceneControl> controls{};
-    bool countsSteps = false;  ///< a page says which step it is, and not the time
+    std::vector<int> counts{};  ///< numbers that the name of the scene may end in: how many bodies it has
+    bool countsSteps = false;   ///< a page says which step it is, and not the time
 };
 
 /// Reads a lesson from JSON: "scene" is the name of a built-in scene, or a scene as `check` reads it. file: the name of

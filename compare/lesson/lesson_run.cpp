@@ -23,6 +23,15 @@ std::string truthName() {
     return std::ranges::find(knownEngines(), Role::Truth, &Engine::role)->name;
 }
 
+/// Also of a metric.
+std::optional<double> valueIn(const Scene& scene, const Observation& run, const Observation& truth,
+                              const AnswerQuery& query) {
+    if (query.kind != AnswerQuery::Kind::Metric) return valueOf(scene, run, query);
+    const Measured measured = measure(scene, run, run.role == Role::Truth ? nullptr : &truth, nullptr);
+    const auto found = measured.metrics.find(query.name);
+    return found == measured.metrics.end() ? std::nullopt : found->second;
+}
+
 /// The runs that say what is true: the first that knows an answer counts.
 class Truths {
 public:
@@ -33,7 +42,7 @@ public:
     std::optional<double> valueOf(const AnswerQuery& query) const {
         for (const Observation& run : runs_) {
             if (run.states.empty()) continue;
-            const std::optional<double> value = compare::valueOf(scene_, run, query);
+            const std::optional<double> value = valueIn(scene_, run, runs_.front(), query);
             if (value && std::isfinite(*value)) return value;
         }
         return {};
@@ -67,7 +76,10 @@ std::optional<std::string> predictedQuery(const Lesson& lesson) {
 std::vector<std::string> queriesOf(const Lesson& lesson) {
     std::vector<std::string> queries;
     if (const auto query = predictedQuery(lesson)) queries.push_back(*query);
+    for (const LessonValue& number : lesson.numbers)
+        if (std::ranges::find(queries, number.value) == queries.end()) queries.push_back(number.value);
     for (const std::string& line : lesson.formula) collect('<', '>', line, queries);
+    collect('{', '}', lesson.question, queries);
     collect('{', '}', lesson.because, queries);
     for (const LessonQuestion& question : lesson.questions) collect('{', '}', question.answer, queries);
     return queries;
@@ -84,7 +96,7 @@ WorseResult resultOf(const Lesson& lesson, const WorseCase& worse) {
     result.unsupported = runs.front().unsupported;
     if (runs.front().states.empty()) return result;
     if (const auto query = predictedQuery(lesson))
-        result.value = valueOf(scene, runs.front(), answerQuery(scene, *query));
+        result.value = valueIn(scene, runs.front(), runs.front(), answerQuery(scene, *query));
     result.says = filled(scene, runs.front(), worse.says);
     return result;
 }
@@ -99,6 +111,7 @@ LessonResult runLesson(const Lesson& lesson) {
         result.numbers.push_back({text, truths.valueOf(query), unitOf(lesson.scene, query)});
     }
     for (const WorseCase& worse : lesson.worse) result.worse.push_back(resultOf(lesson, worse));
+    result.question = filled(lesson.scene, truths.subject(), lesson.question);
     result.because = filled(lesson.scene, truths.subject(), lesson.because);
     for (const LessonQuestion& question : lesson.questions)
         result.answers.push_back(filled(lesson.scene, truths.subject(), question.answer));

@@ -29,7 +29,7 @@ struct WorseResult {
 struct LessonResult {
     std::vector<LessonNumber> numbers{};  ///< of the prediction, of the formula and of all texts, each query once
     std::vector<WorseResult> worse{};
-    std::string because{};
+    std::string question{}, because{};
     std::vector<std::string> answers{};  ///< of its questions
 };
 

@@ -20,6 +20,12 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
+}  // namespace
+
+const std::vector<std::string> broadPhaseNames{"brute", "grid", "sweep", "hierarchy"};
+
+namespace {
+
 /// Reads the words between one pair of braces, one after the other.
 class QueryReader {
 public:
@@ -43,6 +49,8 @@ private:
             return {.kind = Kind::Metric, .name = known(checkableMetrics(scene_), "a metric of this scene")};
         if (takes("gravity")) return {.kind = Kind::Gravity};
         if (takes("field")) return {.kind = Kind::Field, .name = field()};
+        if (takes("overlap")) return overlap();
+        if (takes("tests")) return {.kind = Kind::Tests, .name = (then("by"), known(broadPhaseNames, "a broad phase"))};
         if (word() == "low" || word() == "high" || word() == "least") return {.kind = Kind::Aim, .aim = aim()};
         if (takes("duration")) return {.kind = Kind::Duration};
         if (takes("period")) return {.kind = Kind::Period, .quantity = (then("of"), quantity())};
@@ -119,6 +127,16 @@ private:
         if (at_ >= words_.size()) refuse("answer", compare::quoted(text_) + " ends too soon, wanted a field");
         numberAt(scene_, words_[at_]);
         return words_[at_++];
+    }
+
+    AnswerQuery overlap() {
+        AnswerQuery query{.kind = Kind::Overlap};
+        then("of");
+        query.bodyA = known(namesOf(scene_.bodies), "a body");
+        then("and");
+        query.bodyB = known(namesOf(scene_.bodies), "a body");
+        if (takes("at")) then("start"), query.when = Happening{};
+        return query;
     }
 
     AimReading aim() {

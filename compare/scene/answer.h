@@ -28,6 +28,9 @@ struct Happening {
     std::optional<double> level{};  ///< of Returns, IsAbove and IsBelow; none: the quantity's at the start
 };
 
+/// The broad phases by the names that queries have, in the order of broadPhases (plumb/broad/broad_phase.h).
+extern const std::vector<std::string> broadPhaseNames;
+
 /// What is asked of the shot that takes a body to another one's place. Low: of the two that hit, the one that flies for
 /// a shorter time.
 struct AimReading {
@@ -47,11 +50,30 @@ struct AimReading {
 ///   gravity, field bodies.ball.mass                         numbers of the scene itself: see set_field.h for the path
 ///   low angle of ball to target, high time of ball to target, least speed of ball to target
 ///                                                           of the shot that hits: the kit's ballistics
+///   overlap of box and ball                                 how deep they overlap; 0: not at all. Also "at start"
+///   tests by grid                                           of pairs of boxes in one step, also by brute, sweep and
+///                                                           hierarchy: what each of the kit's broad phases counts
 struct AnswerQuery {
-    enum class Kind { Value, Largest, Smallest, Change, Drop, Time, Period, Duration, Metric, Gravity, Field, Aim };
+    enum class Kind {
+        Value,
+        Largest,
+        Smallest,
+        Change,
+        Drop,
+        Time,
+        Period,
+        Duration,
+        Metric,
+        Gravity,
+        Field,
+        Aim,
+        Overlap,
+        Tests
+    };
     Kind kind = Kind::Value;
     Reading quantity{};
-    std::string name{};               ///< of the metric, or the path of the field
+    std::string name{};               ///< of the metric or of the broad phase, or the path of the field
+    std::string bodyA{}, bodyB{};     ///< of Overlap: names
     std::optional<Happening> when{};  ///< none: at the end
     AimReading aim{};
 };

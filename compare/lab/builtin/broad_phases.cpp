@@ -9,6 +9,7 @@
 
 #include <compare/lab/builtin/labs.h>
 #include <compare/lab/graph.h>
+#include <compare/scene/crowd.h>
 #include <plumb/math/random.h>
 
 namespace plumb::compare {
@@ -28,40 +29,12 @@ const WayToFind ways[] = {{BroadPhase::BruteForce, "brute force", "brute_force"}
                           {BroadPhase::SweepAndPrune, "sweep and prune", "sweep_and_prune"},
                           {BroadPhase::Bvh, "hierarchy (BVH)", "bvh"}};
 
-Aabb boxAt(const Vec2& center, double half) {
-    return {center - Vec2(half, half), center + Vec2(half, half)};
-}
-
-/// Boxes of 1 m at random places on a plane, with 4 m^2 for each box.
-std::vector<Aabb> evenScene(int n, Random& random) {
-    std::vector<Aabb> boxes;
-    const double side = 2 * std::sqrt(n);
-    for (int i = 0; i < n; ++i) {
-        const double x = random.uniform(0, side), y = random.uniform(0, side);
-        boxes.push_back(boxAt({x, y}, 0.5));
-    }
-    return boxes;
-}
-
-/// The same plane, but every second box lies in a heap that is a fifth as wide. Sides are from 0.2 to 5 m long, most of
-/// them short: 0.2 m / (1 - 0.96 u), with u uniform from 0 to 1.
-std::vector<Aabb> unevenScene(int n, Random& random) {
-    std::vector<Aabb> boxes;
-    const double side = 2 * std::sqrt(n);
-    for (int i = 0; i < n; ++i) {
-        const double extent = i % 2 == 0 ? side : side / 5;
-        const double x = random.uniform(0, extent), y = random.uniform(0, extent);
-        boxes.push_back(boxAt({x, y}, 0.1 / (1 - 0.96 * random.uniform(0, 1))));
-    }
-    return boxes;
-}
-
 struct Kind {
     std::string name;
     std::vector<Aabb> (*scene)(int n, Random& random);
 };
 
-const Kind kinds[] = {{"even", evenScene}, {"uneven", unevenScene}};
+const Kind kinds[] = {{"even", evenBoxes}, {"uneven", unevenBoxes}};
 
 struct TimedSearch {
     PairSearch found{};

@@ -50,9 +50,9 @@ function boundsTable(scene, data) {
     return table(heads.map((head) => columnHead(say(head))), boundsRows(scene, data));
 }
 
-function testsTable(data, count) {
+function testsTable(tests, count) {
     const heads = [columnHead(say("Broad phase")), columnHead(say("Tests of two boxes"), true), columnHead(say("Pairs found"), true)];
-    const rows = data.tests.map(({way, tests, pairs}) => element("tr", {}, rowHead(say(way)),
+    const rows = tests.map(({way, tests, pairs}) => element("tr", {}, rowHead(say(way)),
         element("td", {class: "number"}, String(tests)), element("td", {class: "number"}, String(pairs))));
     return [element("caption", {}, sayWith("{0} boxes, in this step", count)), ...table(heads, rows)];
 }

@@ -4,6 +4,20 @@
 const LESSON_QUIET = 180;  // after the last change, until charts and numbers follow [ms]
 const LESSON_SLICE = 9;  // of computing before each picture [ms]
 
+/// Larger than what happens in it, so that it does not tell how far things go.
+function roomyBox(box) {
+    const [dx, dy] = [0.25 * box.width, 0.35 * box.height];
+    box.add(box.left - dx, box.bottom);
+    box.add(box.right + dx, box.top + dy);
+    return box;
+}
+
+/// What is plotted of "y of ball" or "probe pull".
+function choiceOf(scene, quantityText) {
+    const label = quantityText.replace(/^probe /, "");
+    return motionChoices(scene).find((choice) => choice.label.startsWith(`${label} [`));
+}
+
 class LessonPage {
     constructor(comparison, list) {
         Object.assign(this, {comparison, list, runs: new Runs(comparison), values: new Values(comparison), schema: null});
@@ -48,7 +62,6 @@ class LessonPage {
         Object.assign(this, {lesson, json, changed: new Map(changed), own: null});
         this.worse.open(lesson.worse, [...this.list.engines, ...this.list.onDemand]);
         this.start();
-        this.view.box = sceneBox(this.scene);
         this.view.aim = wholeView();
         this.view.tools = {};
         this.player.load(this.scene.times);
@@ -108,7 +121,6 @@ class LessonPage {
         if (!this.scene || !this.runs.isOver || this.isMeasured) return;
         this.runs.measure(false);
         this.isMeasured = true;
-        if (this.view.aim.zoom === 1 && this.view.aim.follow === null) this.view.box = sceneBox(this.scene);
         this.showResults();
         document.body.dataset.measured = "yes";
     }
@@ -130,6 +142,8 @@ class LessonPage {
     // ---- the course of a lesson
 
     ask() {
+        while (!this.runs.isOver) this.runs.advance(1000);
+        this.view.box = roomyBox(sceneBox(this.scene));
         document.body.dataset.known = "no";
         this.player.stop();
         this.player.seek(0);
@@ -159,7 +173,7 @@ class LessonPage {
 
     /// The values of a quantity, as the closed form has them, else the engine under test.
     curveOf(quantityText) {
-        const curve = motionChoices(this.scene).find(({label}) => label.startsWith(`${quantityText} [`))?.curve();
+        const curve = choiceOf(this.scene, quantityText)?.curve();
         const ordered = (curve?.lines ?? []).sort((a, b) => rank({name: a.engine}) - rank({name: b.engine}));
         const full = ordered.find(({values}) => values.some(Number.isFinite));
         return full ? Array.from(full.values) : [];
@@ -185,6 +199,7 @@ class LessonPage {
     know(said) {
         while (!this.runs.isOver) this.runs.advance(1000);
         document.body.dataset.known = "yes";
+        this.view.box = sceneBox(this.scene);
         this.widget.lock(true);
         this.showDrawn(true);
         if (said !== null) this.judge(said);
@@ -233,8 +248,8 @@ class LessonPage {
         byId("lesson-title").textContent = say(lesson.title);
         document.title = `${say(lesson.title)} – ${say("Plumb lessons")}`;
         byId("slides").textContent = lesson.slides.length > 0 ? sayWith("Slides {0}", lesson.slides.join(", ")) : "";
-        byId("about").textContent = say(lesson.about);
-        byId("question").textContent = say(lesson.question);
+        byId("about").textContent = this.values.filled(this.scene, say(lesson.about));
+        byId("question").textContent = this.values.filled(this.scene, say(lesson.question));
         byId("worse-card").hidden = lesson.worse.length === 0;
         byId("turn").hidden = lesson.controls.length === 0;
         byId("counts-frame").hidden = !lesson.show.some((shown) => shown === "bounds" || shown === "tests");
@@ -278,12 +293,9 @@ class LessonPage {
 
     makeCharts() {
         const seek = (time) => { this.player.seek(time); this.settled(); };
-        this.charts = this.lesson.charts.map((text) => {
-            const chart = new Chart(element("h2", {}, say(text === "error" ? "Distance to the closed form" : text === "energy"
-                ? "Energy by kind" : text)), seek, (window) => { for (const each of this.charts) each.setWindow(window); });
-            chart.text = text;
-            return chart;
-        });
+        const zoomed = (window) => { for (const each of this.charts) each.setWindow(window); };
+        this.charts = this.lesson.charts.map(({label, value}) =>
+            Object.assign(new Chart(element("h2", {}, say(label)), seek, zoomed), {value}));
         byId("charts").replaceChildren(...this.charts.map((chart) => chart.figure));
         byId("charts").classList.toggle("odd", this.charts.length % 2 === 1);
     }
@@ -291,11 +303,11 @@ class LessonPage {
     fillCharts() {
         const {scene} = this;
         for (const chart of this.charts) {
-            const {text} = chart;
-            if (text === "error") chart.show(logarithmic(errorCurve(scene), undefined), {}, say("distance"));
-            else if (text === "energy") this.fillEnergy(chart);
+            const {value} = chart;
+            if (value === "error") chart.show(logarithmic(errorCurve(scene), undefined), {}, say("distance"));
+            else if (value === "energy") this.fillEnergy(chart);
             else {
-                const choice = motionChoices(scene).find(({label}) => label.startsWith(`${text} [`) || label === text);
+                const choice = choiceOf(scene, value);
                 if (choice) chart.show(linear(choice.curve()), {}, choice.axis);
             }
             chart.setHidden(this.view.hidden);
@@ -342,18 +354,20 @@ class LessonPage {
         if (!scene) return;
         view.frame = this.player.frame;
         byId("stage").setAttribute("aria-label", `${say(lesson.title)}, ${timeText(scene.times[view.frame])}`);
-        const data = view.bounds || lesson.show.includes("tests") ? this.boundsNow() : null;
-        view.overlay = data && view.bounds ? (context, camera) => drawBounds(context, camera, view.theme, data) : null;
+        const engine = this.looked();
+        const bounds = engine && view.bounds ? this.comparison.bounds(engine.run, view.frame) : null;
+        view.overlay = bounds && ((context, camera) => drawBounds(context, camera, view.theme, bounds));
         drawStage(byId("stage"), view);
-        if (!data) return;
-        byId("counts").replaceChildren(...lesson.show.includes("tests") ? testsTable(data, data.bounds.length)
-            : boundsTable(scene, data));
+        if (bounds) byId("counts").replaceChildren(...boundsTable(scene, bounds));
+        else if (engine && lesson.show.includes("tests"))
+            byId("counts").replaceChildren(...testsTable(this.comparison.tests(engine.run, view.frame), scene.bodies.length));
     }
 
-    boundsNow() {
-        const engine = this.scene.running.find(({name, run}) => run !== undefined && isSubject(name))
-            ?? this.scene.running.find(({run}) => run !== undefined);
-        return engine && this.view.frame < engine.ticks ? this.comparison.bounds(engine.run, this.view.frame) : null;
+    /// The engine whose bodies are looked at more closely: the one under test, if it has this frame.
+    looked() {
+        if (!this.lesson.show.some((shown) => shown === "bounds" || shown === "tests")) return null;
+        const runs = this.scene.running.filter(({run, ticks}) => run !== undefined && this.view.frame < ticks);
+        return runs.find(({name}) => isSubject(name)) ?? runs[0] ?? null;
     }
 
     restyle() {

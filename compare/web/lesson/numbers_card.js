@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Which numbers does a run have, in each engine? Those of the formula and of what was predicted, and its own error.
+// Which numbers does a run have, in each engine? What was predicted, those that the lesson names, and its own error.
 
-function queriesOf({predict, formula}) {
-    const queries = [predict.number?.value, ...formula.flatMap(queriesIn)].filter(Boolean);
-    return [...new Set(queries)].filter((query) => !/^(gravity|field )/.test(query));
-}
-
-function lessonNumbersTable(values, scene, lesson) {
+function lessonNumbersTable(values, scene, {predict, numbers}) {
     const engines = scene.running.filter(({run, unsupported}) => run !== undefined && !unsupported);
-    const heads = [columnHead(""), ...engines.map(({name}) => columnHead(engineName(name), true))];
-    const rows = queriesOf(lesson).map((query) => element("tr", {}, rowHead(say(query)),
-        ...engines.map((engine) => element("td", {class: "number"}, valueText(values.of(engine, query))))));
+    const named = [...(predict.number ? [predict.number] : []), ...numbers];
     const hasTruth = engines.some(({name}) => isTruth(name));
-    if (hasTruth) {
-        rows.push(element("tr", {}, rowHead(say("largest distance to the closed form")), ...engines.map(({name, metrics}) =>
-            element("td", {class: "number"}, isTruth(name) ? NONE : quantity(metrics.error_max, "m")))));
-    }
-    return table(heads, rows);
+    const heads = [columnHead(""), ...named.map(({label}) => columnHead(say(label), true)),
+        hasTruth ? columnHead(say("farthest from the closed form"), true) : null].filter(Boolean);
+    return table(heads, engines.map((engine) => element("tr", {}, rowHead(engineName(engine.name)),
+        ...named.map(({value}) => element("td", {class: "number"}, valueText(values.of(engine, value)))),
+        hasTruth ? element("td", {class: "number"}, isTruth(engine.name) ? NONE : quantity(engine.metrics.error_max, "m")) : null)));
 }

@@ -53,7 +53,7 @@ function numberWidget(host, {number}) {
         "aria-label": say("Your prediction")});
     slider.addEventListener("input", () => { box.value = slider.value; });
     box.addEventListener("input", () => { if (Number.isFinite(box.valueAsNumber)) slider.value = box.value; });
-    host.replaceChildren(element("div", {class: "control"}, element("label", {for: "said"}, say("Your prediction")), slider, box,
+    host.replaceChildren(element("div", {class: "control"}, element("label", {for: "said"}, `${say("Your prediction")}: ${say(number.label)}`), slider, box,
         element("span", {class: "unit"}, SHOWN_UNITS[unit] ?? unit)));
     return {
         said: () => (Number.isFinite(box.valueAsNumber) ? box.valueAsNumber : null),
@@ -78,7 +78,7 @@ function choiceWidget(host, {choice}) {
 function curveWidget(host, {curve}, times, range) {
     const pad = new CurvePad(times.at(-1), range, SHOWN_UNITS[curve.unit] ?? curve.unit);
     host.replaceChildren(element("p", {class: "note"}, sayWith("Draw {0} over the time: with the pointer, or choose a point by ← and → and move it by ↑ and ↓.",
-        say(curve.value))), pad.figure);
+        say(curve.label))), pad.figure);
     return {
         said: () => (pad.isDrawn ? pad.points.map((point) => [...point]) : null),
         lock: (isLocked) => pad.lock(isLocked),

@@ -13,7 +13,7 @@ function worksheetPicture() {
 function predictionOnPaper({predict}) {
     if (predict.number) return [element("p", {}, `${say("Your prediction")}: ________________ ${SHOWN_UNITS[predict.number.unit] ?? predict.number.unit}`)];
     if (predict.choice) return predict.choice.options.map((text) => element("p", {class: "tick-box"}, say(text)));
-    return [element("p", {}, sayWith("Draw {0} over the time:", say(predict.curve.value))), element("div", {class: "graph-paper"})];
+    return [element("p", {}, sayWith("Draw {0} over the time:", say(predict.curve.label))), element("div", {class: "graph-paper"})];
 }
 
 /// The values as they are set now.

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include <compare/check/answer.h>
-#include <compare/lesson/bounds.h>
 #include <compare/lesson/lesson.h>
+#include <compare/metric/bounds.h>
 #include <compare/scene/bench.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
@@ -242,28 +242,36 @@ PLUMB_EXPORT(lesson) double openLesson() {
         say({{"lesson", json::parse(toJson(lesson))}, {"scene", json::parse(text)}});
     });
 }
-/// What a query reads of a run; not a number if there is nothing to read. Says its unit.
+/// What a query reads of a run; not a number if there is nothing to read. A metric is there after measure. Says its
+/// unit.
 PLUMB_EXPORT(valueOf) double valueIn(std::uint32_t run) {
     double value = std::numeric_limits<double>::quiet_NaN();
     const double fault = tried([&] {
         const Scene& scene = open().scene();
         const AnswerQuery query = answerQuery(scene, given);
-        const Observation& seen = observationOf(run);
-        if (!seen.states.empty()) value = valueOf(scene, seen, query).value_or(value);
+        if (query.kind == AnswerQuery::Kind::Metric) {
+            const auto& metrics = resultAt(run).measured.metrics;
+            if (const auto found = metrics.find(query.name); found != metrics.end())
+                value = found->second.value_or(value);
+        } else if (const Observation& seen = observationOf(run); !seen.states.empty()) {
+            value = valueOf(scene, seen, query).value_or(value);
+        }
         text = unitOf(scene, query);
     });
     numbers = {value};
     return fault;
 }
-/// Says what bounding volumes and broad phases make of a run's bodies at a tick: {"bounds", "pairs", "tests"}.
+/// Says what bounding volumes make of a run's bodies at a tick: {"bounds", "pairs"}.
 PLUMB_EXPORT(boundsOf) double boundsAt(std::uint32_t run, std::uint32_t tick) {
     return tried([=] {
         const Scene& scene = open().scene();
         const std::vector<BodyState>& states = observationOf(run).states.at(tick);
-        say({{"bounds", boundsData(scene, states)},
-             {"pairs", pairsData(scene, states)},
-             {"tests", testsData(scene, states)}});
+        say({{"bounds", boundsData(scene, states)}, {"pairs", pairsData(scene, states)}});
     });
+}
+/// Says how many tests of pairs each broad phase makes at a tick: [{"way", "tests", "pairs"}].
+PLUMB_EXPORT(testsOf) double testsAt(std::uint32_t run, std::uint32_t tick) {
+    return tried([=] { say(testsData(open().scene(), observationOf(run).states.at(tick))); });
 }
 /// A track as CSV: shown beside the engines from the next start on.
 PLUMB_EXPORT(bring) double bringTrack() {

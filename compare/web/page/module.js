@@ -83,6 +83,7 @@ class Comparison {
         return {value: Number.isFinite(value) ? value : null, unit: this.text()};
     }
     bounds(run, tick) { return this.ask("boundsOf", "", run, tick); }
+    tests(run, tick) { return this.ask("testsOf", "", run, tick); }
     drop(tick) { return this.call("drop", tick); }
     measure(inDetail) { return this.ask("measure", "", inDetail ? 1 : 0); }
     series(run, name) {

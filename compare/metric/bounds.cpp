@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/lesson/bounds.h>
+#include <compare/metric/bounds.h>
 
 #include <variant>
 
