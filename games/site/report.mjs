@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a reader of the comparison's report, or of its live page, get back to the site? By the site's links, on top.
+// How does a reader of the comparison's report, of its live page, or of the lessons, get back to the site? By the site's links, on top.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 

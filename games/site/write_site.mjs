@@ -29,6 +29,8 @@ writeFileSync(join(site, 'report/index.html'), withNav(root, readFileSync(report
 mkdirSync(join(site, 'live'));
 writeFileSync(join(site, 'live/index.html'), withNav(root, readFileSync(join(build, 'live/index.html'), 'utf8')));
 copyFileSync(join(build, 'live/live.wasm'), join(site, 'live/live.wasm'));
+mkdirSync(join(site, 'lessons'));
+writeFileSync(join(site, 'lessons/index.html'), withNav(root, readFileSync(join(build, 'lessons/index.html'), 'utf8')));
 writeFileSync(join(site, 'site.css'), fontFaces(weight => `fonts/${fonts[weight]}`) + readFileSync(join(here, 'site.css'), 'utf8'));
 copyFileSync(join(here, 'page.js'), join(site, 'page.js'));
 const pages = new Pages(root, site);

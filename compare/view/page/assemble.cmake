@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Makes one page of its parts. In: PAGE, SCENE, STYLES and SCRIPTS (separated by commas), CHARTS, OUTPUT; of a page with
-# formulas also KATEX, the folder of the library, and of one with lessons LESSONS and WORDS (separated by commas).
+# formulas also KATEX, the folder of the library, and of one with lessons LESSONS and WORDS (separated by commas),
+# and SLIDES.
 
 cmake_minimum_required(VERSION 3.22)
 
@@ -74,7 +75,8 @@ if(KATEX)
     file(READ "${KATEX}/katex.min.js" katex)
     read_json("${LESSONS}" lessons list)
     read_json("${WORDS}" words object)
-    list(APPEND parts katex_style katex lessons words)
+    file(READ "${SLIDES}" slides)
+    list(APPEND parts katex_style katex lessons words slides)
 endif()
 
 foreach(part IN LISTS parts)

@@ -34,11 +34,11 @@ function(plumb_find_katex)
         DOC "KaTeX, which sets the formulas of lessons")
 endfunction()
 
-# plumb_assemble_page(<output> <page> STYLES ... SCRIPTS ... [LESSONS ... WORDS ...]): what the page has beside what all
+# plumb_assemble_page(<output> <page> STYLES ... SCRIPTS ... [LESSONS ... WORDS ... SLIDES ...]): what the page has beside what all
 # share. In the page @@style@@, @@scene@@, @@charts@@ and @@scripts@@ say where each goes; of one with lessons, also
-# @@lessons@@, @@words@@, @@katex@@ and @@katex_style@@.
+# @@lessons@@, @@words@@, @@slides@@, @@katex@@ and @@katex_style@@.
 function(plumb_assemble_page output page)
-    cmake_parse_arguments(own "" "" "STYLES;SCRIPTS;LESSONS;WORDS" ${ARGN})
+    cmake_parse_arguments(own "" "SLIDES" "STYLES;SCRIPTS;LESSONS;WORDS" ${ARGN})
     set(styles "${PLUMB_DYGRAPHS_CSS}" ${PLUMB_VIEW_STYLES} ${own_STYLES})
     set(scripts ${PLUMB_VIEW_SCRIPTS} ${own_SCRIPTS})
     list(JOIN styles "," style_names)
@@ -47,7 +47,7 @@ function(plumb_assemble_page output page)
     if(own_LESSONS)
         list(JOIN own_LESSONS "," lesson_names)
         list(JOIN own_WORDS "," word_names)
-        set(lessons "-DKATEX=${PLUMB_KATEX}" "-DLESSONS=${lesson_names}" "-DWORDS=${word_names}")
+        set(lessons "-DKATEX=${PLUMB_KATEX}" "-DLESSONS=${lesson_names}" "-DWORDS=${word_names}" "-DSLIDES=${own_SLIDES}")
     endif()
     add_custom_command(
         OUTPUT "${output}"
@@ -55,7 +55,7 @@ function(plumb_assemble_page output page)
             "-DSTYLES=${style_names}" "-DCHARTS=${PLUMB_DYGRAPHS_JS}" "-DSCRIPTS=${script_names}"
             "-DOUTPUT=${output}" ${lessons} -P "${PLUMB_VIEW_DIR}/page/assemble.cmake"
         DEPENDS "${page}" "${PLUMB_VIEW_DIR}/page/scene.html" "${PLUMB_VIEW_DIR}/page/assemble.cmake" ${styles}
-            ${scripts} "${PLUMB_DYGRAPHS_JS}" ${own_LESSONS} ${own_WORDS}
+            ${scripts} "${PLUMB_DYGRAPHS_JS}" ${own_LESSONS} ${own_WORDS} ${own_SLIDES}
         COMMENT "Putting together ${output}"
         VERBATIM)
 endfunction()

@@ -5,17 +5,20 @@
 const LESSON_AS_IT_CAME = document.documentElement.outerHTML;
 const LESSONS = JSON.parse(byId("lessons").textContent)
     .sort((a, b) => a.slides[0] - b.slides[0] || a.slides.at(-1) - b.slides.at(-1) || a.name.localeCompare(b.name));
+const SLIDES = JSON.parse(byId("slide-list").textContent);
 let languageNow = "en";
 
 function readLessonAddress() {
     const fields = new URLSearchParams(location.hash.slice(1));
     return {name: fields.get("lesson"), packed: fields.get("json"), language: fields.get("lang"),
+        count: Number(fields.get("count")) || null,
         changed: fields.getAll("set").map((text) => text.split(/=(.*)/s).slice(0, 2))};
 }
 
-function writeLessonAddress({name, packed, changed = []}) {
+function writeLessonAddress({name, packed, changed = [], count = null}) {
     const fields = name || packed ? [packed ? `json=${packed}` : `lesson=${encodeURIComponent(name)}`] : [];
     for (const [path, value] of changed) fields.push(`set=${encodeURIComponent(`${path}=${value}`)}`);
+    if (count) fields.push(`count=${count}`);
     fields.push(`lang=${languageNow}`);
     history.replaceState(null, "", `#${fields.join("&")}`);
 }
@@ -29,11 +32,13 @@ async function lessonModule() {
     return new Uint8Array(await response.arrayBuffer());
 }
 
-/// One file that needs no network: the module is in it, and where it begins.
-async function offlineLesson(bytes, address) {
+/// One file of this lesson that needs no network: the module is in it, and where it begins.
+async function offlineLesson(bytes, address, name) {
+    const own = JSON.stringify(LESSONS.filter((lesson) => lesson.name === name)).replaceAll("</", "<\\/");
     const packed = await through(new CompressionStream("deflate-raw"), bytes);
     return `<!DOCTYPE html>\n${LESSON_AS_IT_CAME
         .replace(/<nav class="site-nav"[^]*?<\/nav>/, "")
+        .replace(/(<script type="application\/json" id="lessons">)[^]*?(?=<\/script>)/, (_, tag) => tag + own)
         .replace(/(<script type="text\/plain" id="module">)[^<]*/, (_, tag) => tag + base64Of(packed))
         .replace(/(<script type="text\/plain" id="opened">)[^<]*/, (_, tag) => tag + address.replaceAll("<", "%3C"))}`;
 }
@@ -48,11 +53,19 @@ function showLessonMenu(live, fault = "") {
     fillLessonMenu();
 }
 
+/// The slides of the lecture, each with its lessons.
 function fillLessonMenu() {
-    const rows = LESSONS.map(({name, slides, title, question}) => element("tr", {},
-        element("td", {class: "slide-numbers"}, slides.join(", ")),
-        rowHead(element("a", {href: `#lesson=${name}&lang=${languageNow}`}, say(title))), element("td", {}, say(question))));
-    byId("menu").replaceChildren(...table([columnHead(say("Slides")), columnHead(say("Lesson")), columnHead(say("Question"))], rows));
+    const link = ({name, title, question}) => element("li", {},
+        element("a", {href: `#lesson=${name}&lang=${languageNow}`}, say(title)), element("span", {class: "question"}, plainQuestion(question)));
+    const rows = SLIDES.map(({slide, subject}) => element("tr", {}, element("td", {class: "slide-numbers"}, String(slide)),
+        rowHead(say(subject)), element("td", {}, element("ul", {class: "lesson-links"},
+            ...LESSONS.filter(({slides}) => slides.includes(slide)).map(link)))));
+    byId("menu").replaceChildren(...table([columnHead(say("Slide")), columnHead(say("Subject")), columnHead(say("Lessons"))], rows));
+}
+
+/// Before a run its numbers are not known.
+function plainQuestion(question) {
+    return say(question).replace(/\{[^{}]*\}/g, "…");
 }
 
 /// Shows a lesson; where it cannot be shown, the menu, and why.
@@ -94,7 +107,7 @@ function bindLessonGifts(live, bytes) {
     click("print", () => printWorksheet(live));
     click("give-page", async () => {
         live.settled();
-        download(`${live.lesson.name}.html`, await offlineLesson(bytes, location.hash), "text/html");
+        download(`${live.lesson.name}.html`, await offlineLesson(bytes, location.hash, live.lesson.name), "text/html");
     });
     click("give-link", async ({target}) => {
         live.settled();
@@ -125,7 +138,7 @@ async function startLessons() {
     bindLanguages((language) => {
         languageNow = language;
         sayPage(language);
-        if (live.scene) openLesson(live, live.json, {packed: live.packed, changed: [...live.changed]});
+        if (live.scene) openLesson(live, live.json, {packed: live.packed, changed: [...live.changed], count: live.count});
         else {
             writeLessonAddress({});
             showLessonMenu(live);

@@ -12,6 +12,12 @@ function roomyBox(box) {
     return box;
 }
 
+/// The lesson with a scene of so many bodies.
+function withCount(json, count) {
+    const lesson = JSON.parse(json);
+    return JSON.stringify({...lesson, scene: lesson.scene.replace(/\d+$/, String(count))});
+}
+
 /// What is plotted of "y of ball" or "probe pull".
 function choiceOf(scene, quantityText) {
     const label = quantityText.replace(/^probe /, "");
@@ -38,6 +44,7 @@ class LessonPage {
         click("show", () => this.know(null));
         click("again", () => this.ask());
         click("reset", () => this.reset());
+        byId("count").addEventListener("change", ({target}) => this.open(this.json, {count: Number(target.value)}));
         click("stopwatch", () => { this.player.pressStopwatch(); this.showTime(); });
         for (const drawn of [...DRAWN, "bounds"]) byId(drawn).addEventListener("change", ({target}) => {
             this.view[drawn] = target.checked;
@@ -54,10 +61,11 @@ class LessonPage {
 
     // ---- opening
 
-    /// json: of the lesson. Throws what is wrong with it.
-    open(json, {changed = []} = {}) {
+    /// json: of the lesson; count: how many bodies its scene has, where that can be chosen. Throws what is wrong with it.
+    open(json, {changed = [], count = null} = {}) {
         this.close();
-        const {lesson, scene} = this.comparison.lesson(json);
+        this.count = count;
+        const {lesson, scene} = this.comparison.lesson(count ? withCount(json, count) : json);
         this.runs.take(scene);
         Object.assign(this, {lesson, json, changed: new Map(changed), own: null});
         this.worse.open(lesson.worse, [...this.list.engines, ...this.list.onDemand]);
@@ -251,7 +259,11 @@ class LessonPage {
         byId("about").textContent = this.values.filled(this.scene, say(lesson.about));
         byId("question").textContent = this.values.filled(this.scene, say(lesson.question));
         byId("worse-card").hidden = lesson.worse.length === 0;
-        byId("turn").hidden = lesson.controls.length === 0;
+        byId("turn").hidden = lesson.controls.length === 0 && lesson.counts.length === 0;
+        byId("reset").parentElement.hidden = lesson.controls.length === 0;
+        byId("count-choice").hidden = lesson.counts.length === 0;
+        byId("count").replaceChildren(...lesson.counts.map((count) => element("option", {value: count}, count)));
+        byId("count").value = this.count ?? this.scene.name.match(/\d*$/)[0];
         byId("counts-frame").hidden = !lesson.show.some((shown) => shown === "bounds" || shown === "tests");
         byId("bounds").parentElement.hidden = !lesson.show.includes("bounds");
         byId("questions").replaceChildren(...lesson.questions.map(({ask}) => element("li", {}, element("details", {},
@@ -377,6 +389,6 @@ class LessonPage {
     }
 
     settled() {
-        if (this.scene) writeLessonAddress({name: this.lesson.name, packed: this.packed, changed: [...this.changed]});
+        if (this.scene) writeLessonAddress({name: this.lesson.name, packed: this.packed, changed: [...this.changed], count: this.count});
     }
 }
