@@ -70,7 +70,7 @@ Engine methodEngine(Integration integration) {
     static const Shown shown[] = {
         {"explicit-euler", "Explicit Euler", {"#b3261e", "#ff8a80", {3, 3}, 2}},
         {"semi-implicit-euler", "Semi-implicit Euler", {"#8a6d00", "#e0bd3c", {8, 3}, 2}},
-        {"velocity-verlet", "Velocity Verlet", {"#5b3f9e", "#b79cf5", {8, 3, 2, 3}, 2}},
+        {"velocity-verlet", "Velocity Verlet", {"#5b3f9e", "#a68cf2", {8, 3, 2, 3}, 2}},
         {"midpoint", "Midpoint", {"#4d6b1f", "#a9cf6b", {5, 2}, 2}},
         {"rk4", "RK4", {"#00696f", "#4fd0d8", {12, 3}, 2}},
     };

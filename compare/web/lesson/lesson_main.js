@@ -116,7 +116,7 @@ function bindLessonGifts(live, bytes) {
         setTimeout(() => { target.textContent = say("Copy a link"); }, 2000);
     });
     click("projector", async ({target}) => {
-        const isOn = document.body.classList.toggle("projector");
+        const isOn = document.documentElement.classList.toggle("projector");
         target.setAttribute("aria-pressed", String(isOn));
         if (isOn) await document.documentElement.requestFullscreen?.().catch(() => {});
         else if (document.fullscreenElement) await document.exitFullscreen();

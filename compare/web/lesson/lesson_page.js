@@ -129,6 +129,8 @@ class LessonPage {
         if (!this.scene || !this.runs.isOver || this.isMeasured) return;
         this.runs.measure(false);
         this.isMeasured = true;
+        const {aim} = this.view;
+        if (document.body.dataset.known === "yes" && aim.zoom === 1 && aim.follow === null) this.view.box = sceneBox(this.scene);
         this.showResults();
         document.body.dataset.measured = "yes";
     }

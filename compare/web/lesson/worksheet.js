@@ -5,9 +5,16 @@ function lines(count) {
     return Array.from({length: count}, () => element("div", {class: "write-line"}));
 }
 
-function worksheetPicture() {
-    const stage = byId("stage");
-    return element("img", {src: stage.toDataURL("image/png"), alt: ""});
+/// The start, as it looks before the prediction.
+function worksheetPicture(live) {
+    const {view} = live, before = {...view};
+    for (const drawn of DRAWN) view[drawn] = false;
+    Object.assign(view, {aim: wholeView(), box: roomyBox(sceneBox(live.scene))});
+    live.player.seek(0);
+    const src = byId("stage").toDataURL("image/png");
+    Object.assign(view, before);
+    live.draw();
+    return element("img", {src, alt: ""});
 }
 
 function predictionOnPaper({predict}) {
@@ -27,7 +34,7 @@ function answersOnPaper(live) {
     const truth = predict.number ? valueText(values.truth(scene, predict.number.value))
         : predict.choice ? say(predict.choice.options[predict.choice.right - 1]) : say("The curve is on the page of the lesson.");
     return element("section", {class: "sheet-page"}, element("h1", {}, `${say(lesson.title)}: ${say("answers")}`),
-        element("h2", {}, say(lesson.question)), element("p", {}, truth),
+        element("h2", {}, values.filled(scene, say(lesson.question))), element("p", {}, truth),
         element("p", {}, values.filled(scene, say(lesson.because))),
         ...lesson.formula.map((line) => formulaElement(values.worked(scene, line))),
         element("ol", {}, ...lesson.questions.map(({ask, answer}) =>
@@ -36,14 +43,13 @@ function answersOnPaper(live) {
 
 function fillWorksheet(live) {
     const {lesson} = live;
-    live.player.seek(0);
     byId("worksheet").replaceChildren(
         element("section", {class: "sheet-page"},
             element("p", {class: "name-line"}, `${say("Name")} ______________________   ${say("Date")} ____________`),
-            element("h1", {}, say(lesson.title)), element("p", {}, say(lesson.about)), worksheetPicture(), givenOnPaper(live),
-            element("h2", {}, say(lesson.question)), ...predictionOnPaper(lesson),
+            element("h1", {}, say(lesson.title)), element("p", {}, live.values.filled(live.scene, say(lesson.about))), worksheetPicture(live), givenOnPaper(live),
+            element("h2", {}, live.values.filled(live.scene, say(lesson.question))), ...predictionOnPaper(lesson),
             element("p", {}, `${say("What the run shows")}: ________________`),
-            element("ol", {}, ...lesson.questions.map(({ask}) => element("li", {}, element("p", {}, say(ask)), ...lines(2))))),
+            element("ol", {}, ...lesson.questions.map(({ask}) => element("li", {}, element("p", {}, say(ask)), ...lines(3))))),
         answersOnPaper(live));
 }
 
