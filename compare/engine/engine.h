@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What must an engine provide to be compared?
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -33,6 +34,10 @@ struct Push {
     Vec2 force{0, 0};       ///< [N]
 };
 
+/// Where energy came from and went to, in the order in which an engine tells it.
+inline constexpr std::array energyCauses{"forces",  "drivers", "motors",   "friction",
+                                         "impacts", "damping", "breaking", "solver"};
+
 /// Somebody pulls at a body, as with a damped spring of 5 Hz.
 struct Hand {
     std::size_t body = 0;
@@ -62,6 +67,9 @@ public:
     virtual Broken brokenJoints() const { return {}; }
     /// The forces of the last step at contacts and joints; empty if the engine does not tell.
     virtual std::vector<Push> pushes() const { return {}; }
+    /// The energy that came in (positive) or went out since the start, by each of energyCauses [J]; empty if the engine
+    /// does not account for it.
+    virtual std::vector<double> energyByCause() const { return {}; }
     /// From now on the hand pulls; without one, nothing does. An engine that cannot be touched ignores it.
     virtual void hold(const std::optional<Hand>&) {}
 };

@@ -19,8 +19,11 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 class PlumbSimulation : public Simulation {
 public:
-    PlumbSimulation(const Scene& scene, const SolverSettings& solver)
-        : made_(plumbWorld(scene, {.solver = solver})), movers_(scene, made_), arrivals_(scene) {
+    PlumbSimulation(const Scene& scene, const SolverSettings& solver, bool accounts)
+        : accounts_(accounts),
+          made_(plumbWorld(scene, {.ledger = accounts, .solver = solver})),
+          movers_(scene, made_),
+          arrivals_(scene) {
         for (const Probe& probe : scene.probes) {
             if (const auto* count = std::get_if<SensorCountProbe>(&probe.quantity))
                 gates_.push_back({made_.bodies[bodyIndex(scene, count->body)], values_.size()});
@@ -85,6 +88,12 @@ public:
 
     std::vector<Push> pushes() const override { return plumbPushes(made_); }
 
+    std::vector<double> energyByCause() const override {
+        if (!accounts_) return {};
+        const EnergyLedger e = made_.world.ledger().energy;
+        return {e.forces, e.drivers, e.motors, e.friction, e.impacts, e.damping, e.breaking, e.solver};
+    }
+
     void hold(const std::optional<Hand>& hand) override {
         if (hand_ && made_.world.contains(*hand_)) made_.world.remove(*hand_);
         hand_.reset();
@@ -135,6 +144,7 @@ private:
         return sum;
     }
 
+    bool accounts_;
     PlumbWorld made_;
     PlumbMovers movers_;
     Arrivals arrivals_;
@@ -167,7 +177,13 @@ std::vector<EngineNumber> plumbNumbers(const SolverSettings& solver) {
             {"contactDampingRatio", solver.contactDampingRatio, 0, 1e6},
             {"contactPushSpeed", solver.contactPushSpeed, 0, 1e6},
             {"sleepSpeed", solver.sleepSpeed, 0, 1e6},
-            {"sleepTime", solver.sleepTime, 0, 1e6}};
+            {"sleepTime", solver.sleepTime, 0, 1e6},
+            {"ledger", 0, 0, 1}};
+}
+
+/// 1: it accounts for where energy comes from and goes to, which takes a little time.
+bool accountsIn(const Scene& scene) {
+    return numberFor(plumbName, plumbNumbers({}).back(), scene) != 0;
 }
 
 SolverSettings solverFor(const Scene& scene, SolverSettings solver) {
@@ -194,7 +210,7 @@ Engine plumbEngine(const SolverSettings& solver) {
     engine.numbers = plumbNumbers(solver);
     engine.settings = [solver](const Scene& scene) { return plumbSettings(scene, solverFor(scene, solver)); };
     engine.build = [solver](const Scene& scene) {
-        return std::make_unique<PlumbSimulation>(scene, solverFor(scene, solver));
+        return std::make_unique<PlumbSimulation>(scene, solverFor(scene, solver), accountsIn(scene));
     };
     engine.withOneSubStep = [solver] {
         SolverSettings one = solver;

@@ -10,8 +10,8 @@
 namespace plumb::compare {
 
 inline constexpr std::array predictionTags{"number", "choice", "curve"};
-inline constexpr std::array<const char*, 9> shownTags{"path",  "trails", "velocity", "acceleration", "momentum",
-                                                      "force", "causes", "bounds",   "tests"};
+inline constexpr std::array<const char*, 10> shownTags{"path",     "trails", "velocity", "components", "acceleration",
+                                                       "momentum", "force",  "causes",   "bounds",     "tests"};
 constexpr std::span<const char* const> tagsOf(Shown) {
     return shownTags;
 }
@@ -64,7 +64,8 @@ void fields(auto& visit, OrConst<Lesson> auto& x) {
     visit(needed({"because", "", Allowed::any, "why it is so, with queries between braces"}), x.because);
     visit({"controls", "", Allowed::any, "what may be turned, as in a scene"}, x.controls);
     visit({"show", "", Allowed::any, "what is drawn besides the bodies"}, x.show);
-    visit({"charts", "", Allowed::any, "over time; the value is a quantity, \"y of ball\", or \"energy\" or \"error\""},
+    visit({"charts", "", Allowed::any,
+           "over time; the value is a quantity, \"y of ball\", \"energy\", \"causes\", \"error\""},
           x.charts);
     visit({"numbers", "", Allowed::any, "for a table, beside what is predicted"}, x.numbers);
     visit({"formula", "", Allowed::any, "lines in LaTeX, with queries between < and >"}, x.formula);

@@ -90,6 +90,11 @@ void requireQuantity(const Scene& scene, const std::string& text, const std::str
         refuse(field, quoted(text) + " is no quantity over time, as y of ball is");
 }
 
+/// A chart that is about all bodies together.
+bool isOfTheWhole(const std::string& chart) {
+    return chart == "energy" || chart == "error" || chart == "causes";
+}
+
 void validate(const NumberPrediction& predict, const Scene& scene, const std::string& field) {
     inField(field + ".value", [&] { return answerQuery(scene, predict.value); });
     if (!(predict.from < predict.to))
@@ -145,7 +150,7 @@ void validate(const Lesson& lesson) {
         },
         lesson.predict);
     for (std::size_t i = 0; i < lesson.charts.size(); ++i)
-        if (lesson.charts[i].value != "energy" && lesson.charts[i].value != "error")
+        if (!isOfTheWhole(lesson.charts[i].value))
             requireQuantity(lesson.scene, lesson.charts[i].value, at("charts", i) + ".value");
     for (std::size_t i = 0; i < lesson.numbers.size(); ++i)
         inField(at("numbers", i) + ".value", [&] { return answerQuery(lesson.scene, lesson.numbers[i].value); });

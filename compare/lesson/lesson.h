@@ -47,6 +47,7 @@ enum class Shown {
     Path,
     Trails,
     Velocity,
+    Components,  ///< of velocity
     Acceleration,
     Momentum,
     Force,
@@ -80,7 +81,7 @@ struct Lesson {
     Prediction predict{};
     std::string because{};  ///< why it is so: shown once there is a prediction
     std::vector<Shown> show{};
-    std::vector<LessonValue> charts{};   ///< of quantities: "y of ball"; or "energy", "error"
+    std::vector<LessonValue> charts{};   ///< of quantities: "y of ball"; or "energy", "causes", "error"
     std::vector<LessonValue> numbers{};  ///< for a table, beside the predicted one
     std::vector<std::string> formula{};  ///< lines in LaTeX, worked with the numbers of the run
     std::vector<WorseCase> worse{};

@@ -48,6 +48,8 @@ public:
             if (seen.brokenAt.size() <= i) seen.brokenAt.resize(i + 1);
             if (broken[i] && !seen.brokenAt[i]) seen.brokenAt[i] = seen.states.size() - 1;
         }
+        if (std::vector<double> causes = simulation.energyByCause(); !causes.empty())
+            seen.energyByCause.push_back(std::move(causes));
         std::vector<double> row = simulation.probeValues();
         seen.jointForces.emplace_back(row.begin() + static_cast<std::ptrdiff_t>(scene_.probes.size()), row.end());
         row.resize(scene_.probes.size());

@@ -33,6 +33,9 @@ struct Observation {
     /// [tick][joint] the size of the force in each, a mean over the step; NaN where the engine cannot say. None in a
     /// scene of more than 256 joints [N].
     std::vector<std::vector<double>> jointForces;
+    /// [tick][cause] the energy that came in or went out since the start, in the order of energyCauses; none from an
+    /// engine that does not account for it [J].
+    std::vector<std::vector<double>> energyByCause;
     /// [joint] the tick at which it was first seen broken; none for one that held. Ends with the last that broke.
     std::vector<std::optional<std::size_t>> brokenAt;
     std::optional<double> msPerStep;    ///< median of the run [ms]

@@ -2,7 +2,7 @@
 // What does the page of one scene contain? The stage, the charts and the tables, all at one time.
 
 /// What may be drawn besides the bodies, each with its checkbox.
-const DRAWN = ["path", "trails", "velocity", "acceleration", "momentum", "force", "causes"];
+const DRAWN = ["path", "trails", "velocity", "components", "acceleration", "momentum", "force", "causes"];
 
 class ScenePage {
     /// settled() is called when the page is in a state that the address should name; grab as for StageAim.

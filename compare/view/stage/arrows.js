@@ -4,6 +4,7 @@
 /// Kinds of one scale have their lengths in common.
 const ARROWS = {
     velocity: {of: velocityOf, unit: "m/s", width: 2.2, filled: true, scale: "velocity"},
+    components: {of: velocityOf, unit: "m/s", width: 1.4, filled: false, scale: "velocity"},
     acceleration: {of: accelerationOf, unit: "m/s²", width: 1.4, filled: true, scale: "acceleration"},
     momentum: {of: momentumOf, unit: "kg m/s", width: 3, filled: true, scale: "momentum"},
     force: {of: drawnForceOf, unit: "N", width: 1.4, filled: false, scale: "force"},
@@ -82,7 +83,9 @@ function arrowsOf(view, engine, kind) {
     return engine.bodies.flatMap((body) => {
         const pose = drawnPose(scene, engine, frame, body, magnify);
         const vector = pose && ARROWS[kind].of(scene, engine, frame, body);
-        return vector ? [{at: [pose.x, pose.y], vector}] : [];
+        if (!vector) return [];
+        const at = [pose.x, pose.y], [x, y] = vector;
+        return kind === "components" ? [{at, vector: [x, 0]}, {at, vector: [0, y]}] : [{at, vector}];
     });
 }
 
@@ -149,7 +152,7 @@ function drawArrowKey(context, camera, view) {
     context.setLineDash([]);
     for (const kind of arrowsShown(view)) {
         const scale = arrowScale(camera, scene, kind);
-        if (scale === 0 || (kind === "causes" && view.force)) continue;
+        if (scale === 0 || (kind === "causes" && view.force) || (kind === "components" && view.velocity)) continue;
         const {unit, width, filled} = ARROWS[kind];
         const size = niceStep(30 / scale);
         const x = camera.margins.left + 10;

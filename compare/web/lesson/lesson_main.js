@@ -115,6 +115,12 @@ function bindLessonGifts(live, bytes) {
         target.textContent = say("Link copied");
         setTimeout(() => { target.textContent = say("Copy a link"); }, 2000);
     });
+    // One file of a lesson has no live page beside it.
+    byId("on-live").hidden = byId("module").textContent !== "";
+    click("on-live", async (event) => {
+        event.preventDefault();
+        location.href = `../live/#json=${await packedJson(live.comparison.exported())}`;
+    });
     click("projector", async ({target}) => {
         const isOn = document.documentElement.classList.toggle("projector");
         target.setAttribute("aria-pressed", String(isOn));

@@ -18,6 +18,17 @@ function withCount(json, count) {
     return JSON.stringify({...lesson, scene: lesson.scene.replace(/\d+$/, String(count))});
 }
 
+const CAUSE_COLOURS = {forces: "--energy-potential", drivers: "--energy-springs", motors: "--energy-fields",
+    friction: "--energy-kinetic", impacts: "--fail", damping: "--energy-potential", breaking: "--hold", solver: "--muted"};
+
+/// The energy that came in or went out since the start, by cause, in the engine that accounts for it.
+function causesCurve(scene) {
+    const engine = scene.running.find(({causes}) => causes?.length > 0);
+    const lines = (engine?.causes ?? []).map(({name, values}) => ({engine: name, values,
+        look: {width: 2, dash: name === "damping" ? [4, 3] : [], label: say(name), color: CAUSE_COLOURS[name]}}));
+    return {times: scene.curveTimes, lines, unit: "J", ruler: true};
+}
+
 /// What is plotted of "y of ball" or "probe pull".
 function choiceOf(scene, quantityText) {
     const label = quantityText.replace(/^probe /, "");
@@ -74,8 +85,8 @@ class LessonPage {
         this.view.tools = {};
         this.player.load(this.scene.times);
         byId("scrub").max = this.scene.ticks.length - 1;
-        this.showWords();
         this.ask();
+        this.showWords();
         this.aim.fit();
     }
 
@@ -125,6 +136,12 @@ class LessonPage {
         });
     }
 
+    /// All that is read of the runs needs them to be over.
+    finish() {
+        while (!this.runs.isOver) this.runs.advance(1000);
+        this.player.known = this.player.end;
+    }
+
     measure() {
         if (!this.scene || !this.runs.isOver || this.isMeasured) return;
         this.runs.measure(false);
@@ -152,7 +169,7 @@ class LessonPage {
     // ---- the course of a lesson
 
     ask() {
-        while (!this.runs.isOver) this.runs.advance(1000);
+        this.finish();
         this.view.box = roomyBox(sceneBox(this.scene));
         document.body.dataset.known = "no";
         this.player.stop();
@@ -174,7 +191,7 @@ class LessonPage {
 
     /// A range that does not give away where the curve is: it is symmetric, or as wide again as the run.
     padRange() {
-        while (!this.runs.isOver) this.runs.advance(1000);
+        this.finish();
         const values = this.curveOf(this.lesson.predict.curve.value).filter(Number.isFinite);
         const low = Math.min(0, ...values), high = Math.max(0, ...values);
         const step = niceStep(Math.max(high - low, 1e-6) / 4);
@@ -207,7 +224,7 @@ class LessonPage {
 
     /// What is true is shown; said: what was predicted, or null.
     know(said) {
-        while (!this.runs.isOver) this.runs.advance(1000);
+        this.finish();
         document.body.dataset.known = "yes";
         this.view.box = sceneBox(this.scene);
         this.widget.lock(true);
@@ -320,6 +337,7 @@ class LessonPage {
             const {value} = chart;
             if (value === "error") chart.show(logarithmic(errorCurve(scene), undefined), {}, say("distance"));
             else if (value === "energy") this.fillEnergy(chart);
+            else if (value === "causes") chart.show(linear(causesCurve(scene)), {}, "E");
             else {
                 const choice = choiceOf(scene, value);
                 if (choice) chart.show(linear(choice.curve()), {}, choice.axis);

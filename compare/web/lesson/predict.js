@@ -80,6 +80,7 @@ function curveWidget(host, {curve}, times, range) {
     host.replaceChildren(element("p", {class: "note"}, sayWith("Draw {0} over the time: with the pointer, or choose a point by ← and → and move it by ↑ and ↓.",
         say(curve.label))), pad.figure);
     return {
+        pad,
         said: () => (pad.isDrawn ? pad.points.map((point) => [...point]) : null),
         lock: (isLocked) => pad.lock(isLocked),
         set: (points) => pad.set(points),

@@ -54,7 +54,7 @@ function fillWorksheet(live) {
 }
 
 function printWorksheet(live) {
-    while (!live.runs.isOver) live.runs.advance(1000);
+    live.finish();
     fillWorksheet(live);
     byId("worksheet").hidden = false;
     document.body.classList.add("printing");

@@ -112,11 +112,17 @@ void addRows(const Observation& run, Rows rows, std::size_t from, std::size_t un
         }
 }
 
-const std::vector<double>& seriesOf(const EngineResult& run, std::string_view name) {
+std::vector<double> seriesOf(const EngineResult& run, std::string_view name) {
     const Series& series = run.measured.series;
     if (name == "error") return series.error;
     if (name == "divergence") return series.divergence;
     if (name == "energy") return series.energy;
+    for (std::size_t i = 0; i < energyCauses.size(); ++i) {
+        if (name != energyCauses[i]) continue;
+        std::vector<double> values;
+        for (const std::vector<double>& row : run.observation.energyByCause) values.push_back(row[i]);
+        return values;
+    }
     for (std::size_t i = 0; i < energyKinds.size(); ++i)
         if (name == energyKinds[i]) return series.energies[i];
     throw std::invalid_argument("there is no series \"" + std::string(name) + "\"");

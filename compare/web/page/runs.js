@@ -3,6 +3,9 @@
 
 const CROWD_RUN = 300;  // with so many bodies only the engine under test runs, until another is asked for
 
+/// Where energy goes, as the module has it for an engine that accounts for it.
+const ENERGY_CAUSES = ["forces", "drivers", "motors", "friction", "impacts", "damping", "breaking", "solver"];
+
 class Runs {
     constructor(comparison) {
         this.comparison = comparison;
@@ -114,6 +117,8 @@ class Runs {
             for (const name of ["error", "divergence", "energy"]) engine[name] = series(name);
             engine.energies = ["kinetic", "potential", "springs", "fields"].map((name) => ({name, values: series(name)}))
                 .filter(({values}) => values?.some((value) => value !== 0));
+            engine.causes = ENERGY_CAUSES.map((name) => ({name, values: series(name)}))
+                .filter(({values}) => values?.some((value) => Math.abs(value) > 1e-9));
         }
     }
 

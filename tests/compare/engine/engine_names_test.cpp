@@ -21,9 +21,10 @@ std::string lower(std::string text) {
 std::set<std::string> marksOfEngines() {
     std::set<std::string> marks;
     for (const Engine& engine : knownEngines()) {
-        const bool isOthers = engine.role == Role::Peer || engine.role == Role::Guest;
         // A method of a textbook has the name that everybody has for it.
-        if (isOthers && !engine.onDemand) marks.insert(lower(engine.product));
+        if (engine.onDemand) continue;
+        const bool isOthers = engine.role == Role::Peer || engine.role == Role::Guest;
+        if (isOthers) marks.insert(lower(engine.product));
         for (const char quote : {'"', '\''}) marks.insert(quote + engine.name + quote);
     }
     return marks;
