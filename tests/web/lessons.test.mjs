@@ -35,6 +35,15 @@ const openedLesson = (address, name, act, options = {}) => opened(`${address}les
     await act(page, context);
   });
 
+/** Opens these lessons one after the other on one page. */
+const eachLesson = (address, chosen, act) => openedLesson(address, chosen[0].name, async (page, context) => {
+  for (const lesson of chosen) {
+    await page.evaluate(name => { location.hash = `#lesson=${name}&lang=en`; }, lesson.name);
+    await page.waitForFunction(name => lessonPage.scene && lessonPage.lesson.name === name, lesson.name, { polling: 30 });
+    await act(page, lesson, context);
+  }
+});
+
 /** Says something in the widget: far from the truth, or the truth. */
 const predict = (page, isRight) => page.evaluate(right => {
   const { lesson, widget, scene, values } = lessonPage, { predict } = lesson;
@@ -58,7 +67,7 @@ const toTheEnd = page => page.evaluate(() => { lessonPage.player.pause(); lesson
 
 test('each lesson is predicted wrong and right, run, paused, stepped back and exported, with the kit\'s numbers', { timeout: 900_000 }, async () => {
   await served(async address => {
-    for (const lesson of lessons) await openedLesson(address, lesson.name, async page => {
+    await eachLesson(address, lessons, async (page, lesson) => {
       const say = `${lesson.name}: `;
       await page.click('#run');
       assert.match(await page.textContent('#judged'), /Say first/, say);
@@ -95,7 +104,7 @@ test('each lesson is predicted wrong and right, run, paused, stepped back and ex
 
 test('each worse engine is chosen by its box, runs, and says a sentence without a gap', { timeout: 600_000 }, async () => {
   await served(async address => {
-    for (const lesson of lessons.filter(({ worse }) => worse?.length)) await openedLesson(address, lesson.name, async page => {
+    await eachLesson(address, lessons.filter(({ worse }) => worse?.length), async (page, lesson) => {
       await page.click('#show');
       await known(page);
       for (const [i, each] of lesson.worse.entries()) {

@@ -48,7 +48,7 @@ class CurvePad {
             label(axisText(value, step), PAD.left - 5, this.y(value) + 4, "end")));
         eachLine(0, this.duration, of, (time) => parts.push(line(this.x(time), PAD.top, this.x(time), PAD.height - PAD.bottom),
             label(axisText(time, of), this.x(time), PAD.height - 10, "middle")));
-        parts.push(label(`[${this.unit}]`, 2, 10, "start"), label("t [s]", PAD.width - PAD.right, PAD.height - 1, "end"));
+        parts.push(label(`[${this.unit}]`, PAD.left + 5, PAD.top + 13, "start"), label("t [s]", PAD.width - PAD.right - 5, PAD.height - PAD.bottom - 6, "end"));
         return parts;
     }
 
@@ -122,6 +122,7 @@ class CurvePad {
     }
 
     draw() {
+        this.svg.classList.toggle("drawn", this.isDrawn);
         const [time, value] = this.points[this.chosen];
         this.line.setAttribute("points", this.points.map(([t, v]) => `${this.x(t)},${this.y(v)}`).join(" "));
         this.mark.setAttribute("cx", this.x(time));

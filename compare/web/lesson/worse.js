@@ -47,6 +47,8 @@ function worseText(values, scene, lesson, each) {
     const {value, unit} = values.of(engine, query), truth = values.truth(scene, query);
     if (value === null || truth.value === null) return told;
     const off = Math.abs(value - truth.value);
+    // What is asked for may be the same in all engines, such as an angle to aim at.
+    if (off < 1e-6 * Math.max(1, Math.abs(truth.value))) return told;
     const share = Math.abs(truth.value) > 1e-9 ? ` (${quantity(off / Math.abs(truth.value), "", 2)})` : "";
     return `${told} ${sayWith("It is {0} off{1}.", valueText({value: off, unit}), share)}`;
 }

@@ -2,9 +2,12 @@
 // Does the world's own account of its energy close in every scene, and is what it says is stored what there is?
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
+#include <compare/engine/engine.h>
 #include <compare/engine/plumb_world.h>
 #include <compare/metric/mechanics.h>
+#include <compare/metric/observation.h>
 #include <compare/scene/builtin.h>
 
 #include "catch.h"
@@ -64,6 +67,30 @@ TEST_CASE("friction, blows and dampers never give, in any scene, and few joules 
         // The worst is the doll, whose limbs the floor stops at 8 m/s: 15 %.
         CHECK(std::fabs(made.world.ledger().energy.solver) < 0.2 * largest);
     }
+}
+
+TEST_CASE("an engine that accounts for energy says that friction and impacts took what kinetic energy is gone",
+          "[compare][ledger]") {
+    Scene scene = *findScene("slide_to_roll");
+    const Engine& plumb = *findKnown(subjectName());
+    CHECK(observe(scene, plumb).energyByCause.empty());
+    const Observation quiet = observe(scene, plumb);
+    scene.engines[subjectName()]["solver.ledger"] = "1";
+    const Observation run = observe(scene, plumb);
+    REQUIRE(run.energyByCause.size() == run.states.size());
+    CHECK(run.hash == quiet.hash);
+    const std::size_t disc = bodyIndex(scene, "disc");
+    const Mass mass = massOf(scene.bodies[disc].def);
+    const auto kinetic = [&](const BodyState& state) {
+        return (mass.mass * state.velocity.squaredNorm() +
+                mass.inertia * state.angularVelocity * state.angularVelocity) /
+               2;
+    };
+    const auto friction =
+        static_cast<std::size_t>(std::ranges::find(energyCauses, std::string_view("friction")) - energyCauses.begin());
+    const double lost = kinetic(run.states.back()[disc]) - kinetic(run.states.front()[disc]);
+    CHECK(lost < -0.1);
+    CHECK(run.energyByCause.back()[friction] == Approx(lost).epsilon(0.01));
 }
 
 }  // namespace plumb::compare
