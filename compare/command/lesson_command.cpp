@@ -39,7 +39,7 @@ void print(const Lesson& lesson, const LessonResult& result, std::ostream& out) 
     for (const WorseResult& worse : result.worse)
         fmt::print(out, "  worse: {}: {}\n", worse.title, worse.unsupported.empty() ? worse.says : worse.unsupported);
     for (std::size_t i = 0; i < result.answers.size(); ++i)
-        fmt::print(out, "  {} {}\n", lesson.questions[i].ask, result.answers[i]);
+        fmt::print(out, "  {} {}\n", result.asked[i], result.answers[i]);
 }
 
 Json jsonOf(const Lesson& lesson, const LessonResult& result) {

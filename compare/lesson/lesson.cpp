@@ -133,6 +133,7 @@ void validateTexts(const Lesson& lesson) {
     if (lesson.questions.empty()) refuse("questions", "there is none, wanted at least one");
     for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
         if (lesson.questions[i].ask.empty()) refuse(at("questions", i) + ".ask", "is not given");
+        (void)textParts(lesson.scene, lesson.questions[i].ask, at("questions", i) + ".ask");
         (void)textParts(lesson.scene, lesson.questions[i].answer, at("questions", i) + ".answer");
     }
 }

@@ -32,11 +32,22 @@ std::optional<double> valueIn(const Scene& scene, const Observation& run, const 
     return found == measured.metrics.end() ? std::nullopt : found->second;
 }
 
-/// The runs that say what is true: the first that knows an answer counts.
+/// The text with the numbers of a run.
+std::string filled(Scene scene, const Observation& run, const Observation& truth, const std::string& text) {
+    scene.answer = text;
+    return answerOf(scene, run, measure(scene, run, run.role == Role::Truth ? nullptr : &truth, nullptr));
+}
+
+/// The runs of the lesson's own engines, that say what is true: the first that knows an answer counts. The closed form
+/// comes first, then the engine under test.
 class Truths {
 public:
-    explicit Truths(const Scene& scene) : scene_(scene), runs_(observed(scene, {truthName(), subjectName()})) {
-        std::ranges::stable_partition(runs_, [](const Observation& run) { return run.role == Role::Truth; });
+    explicit Truths(const Lesson& lesson) : scene_(lesson.scene) {
+        std::vector<std::string> names = lesson.engines;
+        std::ranges::stable_partition(names, [](const std::string& name) { return name == subjectName(); });
+        names.insert(names.begin(), truthName());
+        for (const std::string& name : names)
+            for (Observation& run : observed(scene_, {name})) runs_.push_back(std::move(run));
     }
 
     std::optional<double> valueOf(const AnswerQuery& query) const {
@@ -47,18 +58,15 @@ public:
         }
         return {};
     }
-    const Observation& subject() const { return runs_.back(); }
+    /// The text with numbers of the first run that is no closed form.
+    std::string filled(const std::string& text) const {
+        return compare::filled(scene_, runs_.at(1), runs_.front(), text);
+    }
 
 private:
     const Scene& scene_;
-    std::vector<Observation> runs_;
+    std::vector<Observation> runs_{};
 };
-
-/// The text with the numbers of a run.
-std::string filled(Scene scene, const Observation& run, const std::string& text) {
-    scene.answer = text;
-    return answerOf(scene, run, measure(scene, run, nullptr, nullptr));
-}
 
 /// The texts between marks, in the order in which they come.
 void collect(char open, char close, const std::string& text, std::vector<std::string>& queries) {
@@ -81,7 +89,10 @@ std::vector<std::string> queriesOf(const Lesson& lesson) {
     for (const std::string& line : lesson.formula) collect('<', '>', line, queries);
     collect('{', '}', lesson.question, queries);
     collect('{', '}', lesson.because, queries);
-    for (const LessonQuestion& question : lesson.questions) collect('{', '}', question.answer, queries);
+    for (const LessonQuestion& question : lesson.questions) {
+        collect('{', '}', question.ask, queries);
+        collect('{', '}', question.answer, queries);
+    }
     return queries;
 }
 
@@ -96,8 +107,9 @@ WorseResult resultOf(const Lesson& lesson, const WorseCase& worse) {
     result.unsupported = runs.front().unsupported;
     if (runs.front().states.empty()) return result;
     if (const auto query = predictedQuery(lesson))
-        result.value = valueIn(scene, runs.front(), runs.front(), answerQuery(scene, *query));
-    result.says = filled(scene, runs.front(), worse.says);
+        result.value = valueIn(scene, runs.front(), observed(scene, {truthName()}).front(), answerQuery(scene, *query));
+    const std::vector<Observation> truths = observed(scene, {truthName()});
+    result.says = filled(scene, runs.front(), truths.front(), worse.says);
     return result;
 }
 
@@ -105,16 +117,16 @@ WorseResult resultOf(const Lesson& lesson, const WorseCase& worse) {
 
 LessonResult runLesson(const Lesson& lesson) {
     LessonResult result;
-    const Truths truths(lesson.scene);
+    const Truths truths(lesson);
     for (const std::string& text : queriesOf(lesson)) {
         const AnswerQuery query = answerQuery(lesson.scene, text);
         result.numbers.push_back({text, truths.valueOf(query), unitOf(lesson.scene, query)});
     }
     for (const WorseCase& worse : lesson.worse) result.worse.push_back(resultOf(lesson, worse));
-    result.question = filled(lesson.scene, truths.subject(), lesson.question);
-    result.because = filled(lesson.scene, truths.subject(), lesson.because);
+    result.question = truths.filled(lesson.question);
+    result.because = truths.filled(lesson.because);
     for (const LessonQuestion& question : lesson.questions)
-        result.answers.push_back(filled(lesson.scene, truths.subject(), question.answer));
+        result.asked.push_back(truths.filled(question.ask)), result.answers.push_back(truths.filled(question.answer));
     return result;
 }
 

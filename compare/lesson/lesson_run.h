@@ -30,7 +30,7 @@ struct LessonResult {
     std::vector<LessonNumber> numbers{};  ///< of the prediction, of the formula and of all texts, each query once
     std::vector<WorseResult> worse{};
     std::string question{}, because{};
-    std::vector<std::string> answers{};  ///< of its questions
+    std::vector<std::string> asked{}, answers{};  ///< its questions
 };
 
 /// Runs the lesson's engines and those of its worse cases.

@@ -213,7 +213,34 @@ std::string textAt(const Scene& scene, const std::string& path) {
     return valuesAt(root, path).front()->dump();
 }
 
+namespace {
+
+/// Of "bodies.ball.mass", also where it is that of the shapes; none for another path.
+std::optional<double> massAt(const Scene& scene, const std::string& path) {
+    const std::string start = "bodies.", end = ".mass";
+    if (!path.starts_with(start) || !path.ends_with(end) || path.size() <= start.size() + end.size()) return {};
+    const std::string name = path.substr(start.size(), path.size() - start.size() - end.size());
+    const auto body = std::ranges::find(scene.bodies, name, &SceneBody::name);
+    return body == scene.bodies.end() ? std::nullopt : std::optional(massOf(body->def).mass);
+}
+
+/// Of "plumb:solver.subSteps", where the scene sets it.
+double engineNumberAt(const Scene& scene, const std::string& path) {
+    const std::size_t colon = path.find(':');
+    const auto engine = scene.engines.find(path.substr(0, colon));
+    const std::string field = path.substr(colon + 1);
+    if (engine == scene.engines.end() || !engine->second.contains(field))
+        refuse(path, "is not set in the scene, wanted a value for it there");
+    const Json value = Json::parse(engine->second.at(field));
+    if (!value.is_number()) refuse(path, value.dump() + " is not a number");
+    return value.get<double>();
+}
+
+}  // namespace
+
 double numberAt(const Scene& scene, const std::string& path) {
+    if (const std::optional<double> mass = massAt(scene, path)) return *mass;
+    if (path.find(':') != std::string::npos) return engineNumberAt(scene, path);
     Json root = uncheckedJsonOf(scene, Defaults::Written);
     const Json& value = *valuesAt(root, path).front();
     if (!value.is_number()) refuse(path, value.dump() + " is not a number");

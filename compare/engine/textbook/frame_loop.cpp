@@ -76,12 +76,9 @@ FrameLoop::FrameLoop(const Scene& scene, Integration integration, CollisionTest 
         if (!rod || !rod->spring) lacks("joints but springs");
         SpringBetween spring{joint.bodyA,        joint.bodyB,   joint.localAnchorA,
                              joint.localAnchorB, *joint.length, *rod->spring};
-        for (auto [body, anchor] : {std::pair{spring.a, &spring.anchorA}, std::pair{spring.b, &spring.anchorB}}) {
-            if (bodies_[body].inverseMass == 0)
-                *anchor = bodies_[body].pose() * *anchor;
-            else if ((*anchor - bodies_[body].mass.center).norm() > 1e-9)
+        for (const auto& [body, anchor] : {std::pair{spring.a, spring.anchorA}, std::pair{spring.b, spring.anchorB}})
+            if (bodies_[body].inverseMass > 0 && (anchor - bodies_[body].mass.center).norm() > 1e-9)
                 lacks("springs beside the middle of a body: " + scene.bodies[body].name);
-        }
         springs_.push_back(spring);
     }
 }
@@ -93,8 +90,11 @@ Eigen::VectorXd FrameLoop::accelerations(const Eigen::VectorXd& position, const 
         return all.segment<2>(2 * static_cast<Eigen::Index>(i));
     };
     std::vector<BodyState> now = states();
-    std::vector<Vec2> centers(bodies_.size()), speeds(bodies_.size(), Vec2(0, 0));
-    for (std::size_t i = 0; i < bodies_.size(); ++i) centers[i] = bodies_[i].center;
+    std::vector<Vec2> centers(bodies_.size()), speeds(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        centers[i] = bodies_[i].center;
+        speeds[i] = bodies_[i].velocity;
+    }
     for (std::size_t i = 0; i < moving_.size(); ++i) {
         const std::size_t body = moving_[i];
         centers[body] = at(position, i);
@@ -107,8 +107,10 @@ Eigen::VectorXd FrameLoop::accelerations(const Eigen::VectorXd& position, const 
         for (std::size_t i = 0; i < bodies_.size(); ++i) force[i] += pushes[i].force;
     }
     for (const SpringBetween& each : springs_) {
-        const Vec2 a = bodies_[each.a].inverseMass > 0 ? centers[each.a] : each.anchorA;
-        const Vec2 b = bodies_[each.b].inverseMass > 0 ? centers[each.b] : each.anchorB;
+        const auto end = [&](std::size_t body, const Vec2& anchor) {
+            return bodies_[body].inverseMass > 0 ? centers[body] : bodies_[body].pose() * anchor;
+        };
+        const Vec2 a = end(each.a, each.anchorA), b = end(each.b, each.anchorB);
         const Vec2 along = (b - a).normalized();
         const double pull = each.spring.stiffness * ((b - a).norm() - each.length) +
                             each.spring.damping * along.dot(speeds[each.b] - speeds[each.a]);
@@ -146,7 +148,8 @@ void FrameLoop::move(double dt) {
         const auto at = 2 * static_cast<Eigen::Index>(i);
         Body& body = bodies_[moving_[i]];
         body.way.shift = Vec2(all.position.segment<2>(at)) - body.center;
-        body.velocity = all.velocity.segment<2>(at);
+        body.gain = Vec2(all.velocity.segment<2>(at)) - body.velocity;
+        body.velocity += body.gain;
         body.angularVelocity *= std::exp(-body.def.angularDamping * dt);
     }
     for (Body& body : bodies_) {
@@ -206,13 +209,14 @@ void FrameLoop::bisect(std::size_t a, std::size_t b, double dt) {
         }
 }
 
-/// From this share of the frame on the body moves straight with its velocity.
+/// From this share of the frame on the body moves straight, with the mean of its velocity then and at the end.
 void FrameLoop::goOn(std::size_t index, double fraction, double dt) {
     Body& body = bodies_[index];
     const Transform there = body.poseAt(fraction);
     const double share = body.from < 1 ? std::clamp((fraction - body.from) / (1 - body.from), 0.0, 1.0) : 1;
     const double left = (1 - fraction) * dt, angle = body.way.angle + share * body.way.turn;
-    body.way = {there * body.mass.center, left * body.velocity, angle, left * body.angularVelocity, body.mass.center};
+    const Vec2 mean = (body.velocityAt(fraction) + body.velocity) / 2;
+    body.way = {there * body.mass.center, left * mean, angle, left * body.angularVelocity, body.mass.center};
     body.from = fraction;
     body.center = body.way.start + body.way.shift;
     body.angle = body.way.angle + body.way.turn;
@@ -239,7 +243,7 @@ bool FrameLoop::approach(const Meeting& meeting) const {
     const Body &a = bodies_[meeting.a], &b = bodies_[meeting.b];
     const auto at = [&](const Body& body) -> Vec2 {
         const Vec2 arm = meeting.point - body.poseAt(meeting.time) * body.mass.center;
-        return body.velocity + body.angularVelocity * Vec2(-arm.y(), arm.x());
+        return body.velocityAt(meeting.time) + body.angularVelocity * Vec2(-arm.y(), arm.x());
     };
     return (at(b) - at(a)).dot(meeting.normal) < 0;
 }
@@ -267,11 +271,12 @@ void FrameLoop::resolve(const Meeting& meeting) {
         .friction = mixed(ruleOf(ofA.frictionMix, ofB.frictionMix), ofA.friction, ofB.friction)};
     const auto side = [&](const Body& body) {
         const Vec2 arm = meeting.point - body.poseAt(meeting.time) * body.mass.center;
-        return ImpactSide{body.velocity, body.angularVelocity, body.inverseMass, body.inverseInertia, arm};
+        return ImpactSide{body.velocityAt(meeting.time), body.angularVelocity, body.inverseMass, body.inverseInertia,
+                          arm};
     };
     const ImpactResult after = impact(side(a), side(b), meeting.normal, law);
-    a.velocity = after.velocityA;
-    b.velocity = after.velocityB;
+    a.velocity = after.velocityA + (1 - meeting.time) * a.gain;
+    b.velocity = after.velocityB + (1 - meeting.time) * b.gain;
     a.angularVelocity = after.angularVelocityA;
     b.angularVelocity = after.angularVelocityB;
 }

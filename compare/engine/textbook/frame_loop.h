@@ -41,13 +41,16 @@ private:
         Vec2 center{0, 0}, velocity{0, 0};        ///< of mass [m, m/s]
         double angle = 0, angularVelocity = 0;    ///< [rad, rad/s]
         Sweep way{};                              ///< in this frame
+        Vec2 gain{0, 0};                          ///< of velocity in the whole frame, by forces [m/s]
         double from = 0;                          ///< where on the frame its way begins, 0 to 1 [-]
         Transform poseAt(double fraction) const;  ///< of the whole frame
         Transform pose() const;
+        /// At this share of the frame: velocity is that at its end, if nothing is met any more.
+        Vec2 velocityAt(double fraction) const { return velocity - (1 - fraction) * gain; }
     };
     struct SpringBetween {
         std::size_t a = 0, b = 0;
-        Vec2 anchorA{0, 0}, anchorB{0, 0};  ///< on a body that never moves: in the world [m]
+        Vec2 anchorA{0, 0}, anchorB{0, 0};  ///< in the bodies' frames [m]
         double length = 0;
         Spring spring{};
     };

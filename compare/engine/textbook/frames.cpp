@@ -147,6 +147,8 @@ Engine framed(const Engine& inner, EngineCard card, const FrameSettings& default
     };
     if (!inner.build) return engine;
     engine.build = [build = inner.build, settingsOf](const Scene& scene) {
+        for (const SceneBody& body : scene.bodies)
+            if (!isAlwaysThere(body)) throw Unsupported("frame by frame, no bodies come later: " + body.name);
         return std::make_unique<FramedSimulation>(build(scene), settingsOf(scene));
     };
     return engine;

@@ -79,7 +79,8 @@ class Chart {
     }
 
     settings(marks, axis) {
-        const {lines, range, logarithmic: isLog, unit} = this.curve;
+        // A lesson may count steps in place of seconds.
+        const {lines, range, logarithmic: isLog, unit, timeUnit = `${NO_BREAK}s`} = this.curve;
         const text = chartText();
         const series = {};
         for (const line of lines) {
@@ -98,7 +99,7 @@ class Chart {
             axisLabelFontSize: text, gridLineColor: themeColor("--grid"), axisLineColor: themeColor("--axis"),
             highlightCircleSize: 0, rightGap: 2 * text, xRangePad: 0,
             axes: {
-                x: {ticker: (low, high, pixels) => evenTicker(low, high, pixels, dense, `${NO_BREAK}s`)},
+                x: {ticker: (low, high, pixels) => evenTicker(low, high, pixels, dense, timeUnit)},
                 y: {axisLabelWidth: Math.round((hasPowers ? 6.6 : 5.4) * text), ticker: (low, high, pixels) =>
                     isLog ? decadeTicker(low, high, pixels) : evenTicker(low, high, pixels, 1.9 * text)},
             },

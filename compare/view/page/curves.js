@@ -58,13 +58,13 @@ function motionChoices(scene) {
     return choices;
 }
 
-/// The kinds of energy of one engine, one on top of the other. Where potential energy is 0 is free: it is the least of
-/// the run here.
+/// The kinds of energy of one engine, one on top of the other. Where the energy of a place is 0 is free: it is the least
+/// of the run here.
 function stackedEnergies(scene, engine) {
     const looks = {width: 1, dash: []};
     const lines = engine.energies.map(({name, values}) => {
         const least = values.reduce((low, value) => (value < low ? value : low), Infinity);
-        const above = Array.from(values, (value) => value - (name === "potential" ? least : 0));
+        const above = Array.from(values, (value) => value - (["potential", "fields"].includes(name) ? least : 0));
         return {engine: name, values: above, drawn: above, look: {...looks, label: name, color: `--energy-${name}`}};
     });
     const sums = Array.from(scene.curveTimes, (_, i) => lines.reduce((sum, {values}) => sum + (values[i] || 0), 0));

@@ -33,7 +33,7 @@ function drawBounds(context, camera, theme, data) {
         if (!shapes) continue;
         const {at: [x, y], normal: [nx, ny], depth} = shapes, length = Math.max(18, depth * camera.scale);
         drawArrow(context, [camera.x(x), camera.y(y)], [nx * length, -ny * length], true);
-        labelOnPaper(context, theme, `${say("depth")} ${quantity(depth, "m")}`, camera.x(x) + 10, camera.y(y) + 14, "left");
+        labelOnPaper(context, theme, `${say("depth")} ${valueText({value: depth, unit: "m"})}`, camera.x(x) + 10, camera.y(y) + 14, "left");
     }
 }
 

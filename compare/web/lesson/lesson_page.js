@@ -43,7 +43,7 @@ class LessonPage {
         this.view = {scene: null, hidden: new Set(), magnify: 1, aim: wholeView(), theme: stageTheme(), tools: {}};
         this.aim = new StageAim(byId("stage"), this.view, () => this.draw());
         bindKeys(this.player, this.aim, () => this.view.scene !== null);
-        this.panel = new Panel(byId("controls"), (paths, text, isOver) => this.turn(paths, text, isOver),
+        this.panel = new Panel(byId("controls"), (paths, texts, isOver) => this.turn(paths, texts, isOver),
             (fault) => { byId("refused").textContent = fault; });
         this.worse = new Worse(byId("worse"), () => this.rebuild());
         this.bind();
@@ -79,6 +79,7 @@ class LessonPage {
         const {lesson, scene} = this.comparison.lesson(count ? withCount(json, count) : json);
         this.runs.take(scene);
         Object.assign(this, {lesson, json, changed: new Map(changed), own: null});
+        this.values.openFor(lesson.engines);
         this.worse.open(lesson.worse, [...this.list.engines, ...this.list.onDemand]);
         this.start();
         this.view.aim = wholeView();
@@ -117,7 +118,15 @@ class LessonPage {
         }
         byId("refused").textContent = faults.join("; ");
         this.values.forget();
-        this.runs.start(this.engines);
+        try {
+            this.runs.start(this.engines);
+        } catch (error) {
+            // An engine refuses a number of its own.
+            byId("refused").textContent = error.message;
+            this.worse.clear();
+            this.runs.reset();
+            this.runs.start(this.engines);
+        }
         this.view.scene = this.scene;
         this.isMeasured = false;
         this.advance();
@@ -247,11 +256,11 @@ class LessonPage {
 
     // ---- changes
 
-    turn(paths, text, isOver) {
-        for (const path of paths) {
+    turn(paths, texts, isOver) {
+        paths.forEach((path, i) => {
             this.changed.delete(path);
-            this.changed.set(path, text);
-        }
+            this.changed.set(path, texts[i]);
+        });
         this.rebuild();
         if (byId("judged").dataset.right !== undefined) {
             delete byId("judged").dataset.right;
@@ -286,7 +295,7 @@ class LessonPage {
         byId("counts-frame").hidden = !lesson.show.some((shown) => shown === "bounds" || shown === "tests");
         byId("bounds").parentElement.hidden = !lesson.show.includes("bounds");
         byId("questions").replaceChildren(...lesson.questions.map(({ask}) => element("li", {}, element("details", {},
-            element("summary", {}, say(ask)), element("p", {class: "answer-text"})))));
+            element("summary", {}, this.values.filled(this.scene, say(ask))), element("p", {class: "answer-text"})))));
         this.showPanel();
         this.showKeys();
         this.makeCharts();
@@ -340,7 +349,7 @@ class LessonPage {
             else if (value === "causes") chart.show(linear(causesCurve(scene)), {}, "E");
             else {
                 const choice = choiceOf(scene, value);
-                if (choice) chart.show(linear(choice.curve()), {}, choice.axis);
+                if (choice) chart.show({...linear(choice.curve()), ...(this.lesson.countsSteps ? {timeUnit: ""} : {})}, {}, choice.axis);
             }
             chart.setHidden(this.view.hidden);
         }
@@ -350,7 +359,8 @@ class LessonPage {
         const engine = this.scene.running.find(({name, energies}) => isSubject(name) && energies.length > 0)
             ?? this.scene.running.find(({energies}) => energies.length > 0);
         const sum = {...engineCurve(this.scene, "energy", "J"), ruler: true};
-        const isByKind = engine?.energies.length > 1 && this.worse.on.size === 0;
+        const isAlone = this.scene.running.filter(({name}) => !isTruth(name)).length === 1;
+        const isByKind = engine?.energies.length > 1 && isAlone;
         chart.show(isByKind ? stackedEnergies(this.scene, engine) : linear(sum), {}, "E");
     }
 

@@ -15,6 +15,7 @@ function workedText(x) {
 function valueText({value, unit}) {
     const shown = SHOWN_UNITS[unit] ?? unit;
     if (value === null || !Number.isFinite(value)) return NONE;
+    if (unit === "ratio") return quantity(value, "", 2);
     const isTiny = Math.abs(value) < 1e-3 && Math.abs(value) > 1e-12;
     if (isTiny && PREFIXES[unit]) return quantity(value, unit, 3);
     return minus(workedText(value)) + (shown && shown !== "-" ? (shown === "°" ? "" : NO_BREAK) + shown : "");
@@ -29,19 +30,23 @@ class Values {
 
     forget() { this.known = new Map(); }
 
+    /// engines: of the lesson, whose own come before those of worse cases.
+    openFor(engines) { this.engines = engines; }
+
     /// {value, unit} of an engine of the scene; value is null if there is nothing to read.
     of(engine, query) {
         const key = `${engine.name} ${query}`;
         if (!this.known.has(key)) {
             this.known.set(key, engine.run === undefined || engine.unsupported ? {value: null, unit: ""}
-                : this.comparison.value(engine.run, query));
+                : withRatio(query, this.comparison.value(engine.run, query)));
         }
         return this.known.get(key);
     }
 
-    /// The closed form's where it knows one, else that of the engine under test.
+    /// The closed form's where it knows one, else that of the engine under test, else that of the lesson's first engine.
     truth(scene, query) {
-        const ordered = [...scene.running].sort((a, b) => rank(a) - rank(b));
+        const place = ({name}) => rank({name}) * 100 + this.engines.indexOf(name);
+        const ordered = scene.running.filter(({name}) => this.engines.includes(name)).sort((a, b) => place(a) - place(b));
         for (const engine of ordered) {
             const found = this.of(engine, query);
             if (found.value !== null) return found;
@@ -59,6 +64,11 @@ class Values {
     worked(scene, formula) {
         return formula.replace(/<([^<>]*)>/g, (_, query) => latexNumber(this.truth(scene, query).value));
     }
+}
+
+/// A drift is a share of a whole.
+function withRatio(query, {value, unit}) {
+    return {value, unit: /^metric \w+_drift$/.test(query) ? "ratio" : unit};
 }
 
 function rank(engine) {

@@ -22,6 +22,11 @@ class Worse {
         }));
     }
 
+    clear() {
+        this.on.clear();
+        for (const input of this.host.querySelectorAll("input")) input.checked = false;
+    }
+
     get chosen() { return this.cases.filter((_, i) => this.on.has(i)); }
     get engines() { return this.chosen.map(({engine}) => engine); }
     /// [path, value] of all that are chosen.

@@ -11,7 +11,7 @@ class LivePage {
         this.list = list;
         this.runs = new Runs(comparison);
         this.page = new ScenePage(() => this.settled(), (body, x, y) => this.grab(body, x, y));
-        this.panel = new Panel(byId("controls"), (paths, text, isOver) => this.change(paths, text, isOver),
+        this.panel = new Panel(byId("controls"), (paths, texts, isOver) => this.change(paths, texts, isOver),
             (fault) => this.refuse(fault));
         this.schema = null;
         this.hand = null;
@@ -141,9 +141,9 @@ class LivePage {
 
     // ---- changes
 
-    change(paths, text, isOver) {
+    change(paths, texts, isOver) {
         const before = this.runs.data;
-        const faults = paths.map((path) => this.set(path, text)).filter(Boolean);
+        const faults = paths.map((path, i) => this.set(path, texts[i])).filter(Boolean);
         this.refuse(faults[0] ?? "");
         if (this.runs.data !== before) this.again();
         if (isOver) this.changeIsOver();
@@ -285,7 +285,7 @@ class LivePage {
         const path = `bodies.${this.scene.bodies[body].name}.position`;
         this.isPlacing = true;
         return {
-            move: (toX, toY) => this.change([path], `${rounded(drawn.x + toX - x)},${rounded(drawn.y + toY - y)}`, false),
+            move: (toX, toY) => this.change([path], [`${rounded(drawn.x + toX - x)},${rounded(drawn.y + toY - y)}`], false),
             end: () => {
                 this.isPlacing = false;
                 page.view.box.addBox(sceneBox(this.scene));

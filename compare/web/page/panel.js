@@ -131,7 +131,7 @@ function bodyControls(schema, json, name) {
 }
 
 class Panel {
-    /// change(paths, text, isOver): fields are to be set; isOver: the person has let the slider go. refuse(fault): what was
+    /// change(paths, texts, isOver): fields are to be set; isOver: the person has let the slider go. refuse(fault): what was
     /// typed is no number that fits.
     constructor(host, change, refuse) {
         Object.assign(this, {host, change, refuse, rows: [], turned: new Map(), angles: new Map()});
@@ -193,6 +193,12 @@ class Panel {
         return text === undefined ? otherwise : Number(text);
     }
 
+    /// A further path of a control holds a value of the same kind as the first.
+    heldAt(path, otherwise) {
+        const value = path.includes(":") ? undefined : valueAt(this.json, path);
+        return Array.isArray(value) === Array.isArray(otherwise) ? value ?? otherwise : otherwise;
+    }
+
     /// "Slope 45 °" for a path that was turned by a row; nothing for the further paths of a row; null if no row turned it.
     said(path) {
         const labels = this.turned.get(path);
@@ -217,6 +223,9 @@ class Panel {
         const [path] = control.set, held = this.held(control);
         const isVector = Array.isArray(held);
         if (isVector && Math.hypot(...from(held, control.about)) > 0) this.angles.set(path, angleOf(held, control.about));
-        this.change(control.set, AS[control.as].text(x, held, control.about, this.angles.get(path)), isOver);
+        // Each field that it sets keeps what the number does not say: the other coordinate of its own vector.
+        const texts = control.set.map((each, i) => AS[control.as].text(x, i === 0 ? held : this.heldAt(each, held), control.about,
+            this.angles.get(path)));
+        this.change(control.set, texts, isOver);
     }
 }
