@@ -34,11 +34,17 @@ async function lessonModule() {
 
 /// One file of this lesson that needs no network: the module is in it, and where it begins.
 async function offlineLesson(bytes, address, name) {
-    const own = JSON.stringify(LESSONS.filter((lesson) => lesson.name === name)).replaceAll("</", "<\\/");
+    const [own, others] = [true, false].map((isOwn) => JSON.stringify(LESSONS.filter((lesson) => (lesson.name === name) === isOwn)));
+    // Of the words those that only other lessons say are left out.
+    const isNeeded = ([text]) => own.includes(JSON.stringify(text)) || !others.includes(JSON.stringify(text));
+    const words = JSON.stringify(Object.fromEntries(Object.entries(JSON.parse(byId("words").textContent))
+        .map(([language, said]) => [language, Object.fromEntries(Object.entries(said).filter(isNeeded))])));
+    const asScript = (json) => json.replaceAll("</", "<\\/");
     const packed = await through(new CompressionStream("deflate-raw"), bytes);
     return `<!DOCTYPE html>\n${LESSON_AS_IT_CAME
         .replace(/<nav class="site-nav"[^]*?<\/nav>/, "")
-        .replace(/(<script type="application\/json" id="lessons">)[^]*?(?=<\/script>)/, (_, tag) => tag + own)
+        .replace(/(<script type="application\/json" id="lessons">)[^]*?(?=<\/script>)/, (_, tag) => tag + asScript(own))
+        .replace(/(<script type="application\/json" id="words">)[^]*?(?=<\/script>)/, (_, tag) => tag + asScript(words))
         .replace(/(<script type="text\/plain" id="module">)[^<]*/, (_, tag) => tag + base64Of(packed))
         .replace(/(<script type="text\/plain" id="opened">)[^<]*/, (_, tag) => tag + address.replaceAll("<", "%3C"))}`;
 }
