@@ -112,20 +112,11 @@ std::optional<double> testsOf(const Scene& scene, const std::vector<BodyState>& 
     return static_cast<double>(pairTests(scene, states)[static_cast<std::size_t>(index)].tests);
 }
 
-std::string numberText(double value, const std::string& unit) {
-    if (std::isnan(value)) return "–";
-    if (unit == "m" && std::abs(value) < 0.0995) return (value < 0 ? "-" : "") + lengthText(std::abs(value));
-    const double shown = std::abs(value) < 1e-9 ? 0 : value, size = std::abs(shown);
-    std::string text = fmt::format("{:.3g}", shown);
-    if (size >= 999.5 && size < 1e7) text = fmt::format("{:.0f}", std::stod(text));  // no 1e+03
-    return unit.empty() || unit == "-" ? text : text + " " + unit;
-}
-
 std::string metricText(const Scene& scene, const std::string& name, const Measured& measured) {
     const auto found = measured.metrics.find(name);
     if (found == measured.metrics.end() || !found->second) return "–";
     if (name.ends_with("_drift")) return fmt::format("{:.2g} %", 100 * *found->second);
-    return numberText(*found->second, metricUnit(scene, name));
+    return valueText(*found->second, metricUnit(scene, name));
 }
 
 /// "(y of ball does not return to 0 within 3 s)". A closed form may leave out what happens.
@@ -151,7 +142,7 @@ std::string missingText(const Observation& run, const AnswerQuery& query) {
 std::string textOf(const Scene& scene, const Observation& run, const Measured& measured, const AnswerQuery& query) {
     if (query.kind == AnswerQuery::Kind::Metric) return metricText(scene, query.name, measured);
     const std::optional<double> value = valueOf(scene, run, query);
-    return value ? numberText(*value, unitOf(scene, query)) : missingText(run, query);
+    return value ? valueText(*value, unitOf(scene, query)) : missingText(run, query);
 }
 
 }  // namespace
@@ -179,6 +170,15 @@ std::string unitOf(const Scene& scene, const AnswerQuery& query) {
     if (query.kind == Kind::Metric) return metricUnit(scene, query.name);
     const bool isTime = query.kind == Kind::Time || query.kind == Kind::Duration || query.kind == Kind::Period;
     return isTime ? "s" : unitOf(scene, query.quantity);
+}
+
+std::string valueText(double value, const std::string& unit) {
+    if (std::isnan(value)) return "–";
+    if (unit == "m" && std::abs(value) < 0.0995) return (value < 0 ? "-" : "") + lengthText(std::abs(value));
+    const double shown = std::abs(value) < 1e-9 ? 0 : value, size = std::abs(shown);
+    std::string text = fmt::format("{:.3g}", shown);
+    if (size >= 999.5 && size < 1e7) text = fmt::format("{:.0f}", std::stod(text));  // no 1e+03
+    return unit.empty() || unit == "-" ? text : text + " " + unit;
 }
 
 std::string answerOf(const Scene& scene, const Observation& run, const Measured& measured) {

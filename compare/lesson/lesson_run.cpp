@@ -58,9 +58,16 @@ public:
         }
         return {};
     }
-    /// The text with numbers of the first run that is no closed form.
+    /// The text with true numbers.
     std::string filled(const std::string& text) const {
-        return compare::filled(scene_, runs_.at(1), runs_.front(), text);
+        std::string result;
+        for (const AnswerPart& part : textParts(scene_, text, "text")) {
+            result += part.text;
+            if (!part.query) continue;
+            const std::optional<double> value = valueOf(*part.query);
+            result += value ? valueText(*value, unitOf(scene_, *part.query)) : "–";
+        }
+        return result;
     }
 
 private:

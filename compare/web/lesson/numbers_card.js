@@ -5,7 +5,7 @@ function lessonNumbersTable(values, scene, {predict, numbers}) {
     const engines = scene.running.filter(({run, unsupported}) => run !== undefined && !unsupported);
     const named = [...(predict.number ? [predict.number] : []), ...numbers];
     const hasTruth = engines.some(({name}) => isTruth(name));
-    const heads = [columnHead(""), ...named.map(({label}) => columnHead(say(label), true)),
+    const heads = [columnHead(say("Engine")), ...named.map(({label}) => columnHead(say(label), true)),
         hasTruth ? columnHead(say("farthest from the closed form"), true) : null].filter(Boolean);
     return table(heads, engines.map((engine) => element("tr", {}, rowHead(engineName(engine.name)),
         ...named.map(({value}) => element("td", {class: "number"}, valueText(values.of(engine, value)))),
