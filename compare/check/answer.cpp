@@ -176,6 +176,7 @@ std::string valueText(double value, const std::string& unit) {
     if (std::isnan(value)) return "–";
     if (unit == "m" && std::abs(value) < 0.0995) return (value < 0 ? "-" : "") + lengthText(std::abs(value));
     const double shown = std::abs(value) < 1e-9 ? 0 : value, size = std::abs(shown);
+    if (unit.empty() && shown == std::round(shown) && size < 1e7) return fmt::format("{:.0f}", shown);
     std::string text = fmt::format("{:.3g}", shown);
     if (size >= 999.5 && size < 1e7) text = fmt::format("{:.0f}", std::stod(text));  // no 1e+03
     return unit.empty() || unit == "-" ? text : text + " " + unit;

@@ -262,7 +262,7 @@ test('every text that lessons and their page say has a German one, and a German 
     for (const text of [lesson.title, lesson.about, lesson.question, lesson.because]) texts.add(text);
     for (const { label } of [...lesson.controls ?? [], ...lesson.charts ?? [], ...lesson.numbers ?? [], ...Object.values(lesson.predict)]) if (label) texts.add(label);
     for (const text of lesson.predict.choice?.options ?? []) texts.add(text);
-    for (const line of lesson.formula ?? []) if (/\\text\{[^}]*[A-Za-z]{2}/.test(line)) texts.add(line);
+    for (const line of lesson.formula ?? []) for (const [, words] of line.matchAll(/\\text\{([^}]*)\}/g)) if (/[A-Za-z]{2}/.test(words)) texts.add(words.trim());
     for (const { title, says } of lesson.worse ?? []) texts.add(title).add(says);
     for (const { ask, answer } of lesson.questions) texts.add(ask).add(answer);
   }

@@ -370,7 +370,7 @@ class LessonPage {
         this.fillCharts();
         byId("because").textContent = values.filled(scene, say(lesson.because));
         byId("formula-card").hidden = lesson.formula.length === 0;
-        byId("formula").replaceChildren(...lesson.formula.map((line) => formulaElement(values.worked(scene, say(line)))));
+        byId("formula").replaceChildren(...lesson.formula.map((line) => formulaElement(values.worked(scene, line))));
         byId("source").textContent = scene.closedForm ? sayWith("Closed form: {0}", say(scene.closedForm.source)) : "";
         byId("numbers").replaceChildren(...lessonNumbersTable(values, scene, lesson));
         byId("questions").querySelectorAll(".answer-text").forEach((each, i) => {

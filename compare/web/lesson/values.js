@@ -8,6 +8,7 @@ function workedText(x) {
     if (x === null || !Number.isFinite(x)) return NONE;
     const size = Math.abs(x);
     if (size < 1e-12) return "0";
+    if (Number.isInteger(x) && size < 1e7) return minus(String(x));  // a count has all its digits
     if (size < 1e-3 || size >= 1e6) return scientific(x, 4);
     return numberText(String(Number(x.toPrecision(4))));
 }
@@ -60,9 +61,10 @@ class Values {
             valueText(engine ? this.of(engine, query) : this.truth(scene, query)));
     }
 
-    /// The formula in LaTeX, with true values; a negative one in parentheses.
+    /// The formula in LaTeX, with true values; a negative one in parentheses. Its words are in the language of the page.
     worked(scene, formula) {
-        return formula.replace(/<([^<>]*)>/g, (_, query) => latexNumber(this.truth(scene, query).value));
+        const said = formula.replace(/(\\text\{\s*)([^{}]*?)(\s*\})/g, (_, start, words, end) => start + say(words) + end);
+        return said.replace(/<([^<>]*)>/g, (_, query) => latexNumber(this.truth(scene, query).value));
     }
 }
 

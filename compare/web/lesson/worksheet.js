@@ -36,7 +36,7 @@ function answersOnPaper(live) {
     return element("section", {class: "sheet-page"}, element("h1", {}, `${say(lesson.title)}: ${say("answers")}`),
         element("h2", {}, values.filled(scene, say(lesson.question))), element("p", {}, truth),
         element("p", {}, values.filled(scene, say(lesson.because))),
-        ...lesson.formula.map((line) => formulaElement(values.worked(scene, say(line)))),
+        ...lesson.formula.map((line) => formulaElement(values.worked(scene, line))),
         element("ol", {}, ...lesson.questions.map(({ask, answer}) =>
             element("li", {}, element("p", {}, values.filled(scene, say(ask))), element("p", {}, values.filled(scene, say(answer)))))));
 }
