@@ -49,7 +49,7 @@ function fillWorksheet(live) {
             element("h1", {}, say(lesson.title)), element("p", {}, live.values.filled(live.scene, say(lesson.about))), worksheetPicture(live), givenOnPaper(live),
             element("h2", {}, live.values.filled(live.scene, say(lesson.question))), ...predictionOnPaper(lesson),
             element("p", {}, `${say("What the run shows")}: ________________`),
-            element("ol", {}, ...lesson.questions.map(({ask}) => element("li", {}, element("p", {}, live.values.filled(live.scene, say(ask))), ...lines(3))))),
+            element("ol", {}, ...lesson.questions.map(({ask}) => element("li", {}, element("p", {}, live.values.filled(live.scene, say(ask))), ...lines(lesson.predict.curve ? 2 : 3))))),
         answersOnPaper(live));
 }
 
