@@ -18,23 +18,6 @@ function withCount(json, count) {
     return JSON.stringify({...lesson, scene: lesson.scene.replace(/\d+$/, String(count))});
 }
 
-const CAUSE_COLOURS = {forces: "--energy-potential", drivers: "--energy-springs", motors: "--energy-fields",
-    friction: "--energy-kinetic", impacts: "--fail", damping: "--energy-potential", breaking: "--hold", solver: "--muted"};
-
-/// The energy that came in or went out since the start, by cause, in the engine that accounts for it.
-function causesCurve(scene) {
-    const engine = scene.running.find(({causes}) => causes?.length > 0);
-    const lines = (engine?.causes ?? []).map(({name, values}) => ({engine: name, values,
-        look: {width: 2, dash: name === "damping" ? [4, 3] : [], label: say(name), color: CAUSE_COLOURS[name]}}));
-    return {times: scene.curveTimes, lines, unit: "J", ruler: true};
-}
-
-/// What is plotted of "y of ball" or "probe pull".
-function choiceOf(scene, quantityText) {
-    const label = quantityText.replace(/^probe /, "");
-    return motionChoices(scene).find((choice) => choice.label.startsWith(`${label} [`));
-}
-
 class LessonPage {
     constructor(comparison, list) {
         Object.assign(this, {comparison, list, runs: new Runs(comparison), values: new Values(comparison), schema: null});
@@ -45,6 +28,7 @@ class LessonPage {
         bindKeys(this.player, this.aim, () => this.view.scene !== null);
         this.panel = new Panel(byId("controls"), (paths, texts, isOver) => this.turn(paths, texts, isOver),
             (fault) => { byId("refused").textContent = fault; });
+        this.charts = new LessonCharts(byId("charts"), (time) => { this.player.seek(time); this.settled(); });
         this.worse = new Worse(byId("worse"), () => this.rebuild());
         this.bind();
     }
@@ -97,9 +81,7 @@ class LessonPage {
         this.player.stop();
         this.view.scene = null;
         this.runs.scene = null;
-        for (const chart of this.charts ?? []) chart.clear();
-        this.charts = [];
-        byId("charts").replaceChildren();
+        this.charts.clear();
     }
 
     get scene() { return this.runs.scene; }
@@ -298,7 +280,7 @@ class LessonPage {
             element("summary", {}, this.values.filled(this.scene, say(ask))), element("p", {class: "answer-text"})))));
         this.showPanel();
         this.showKeys();
-        this.makeCharts();
+        this.charts.open(lesson);
         showOwnFiles(this);
     }
 
@@ -312,7 +294,7 @@ class LessonPage {
             const input = element("input", {type: "checkbox", "data-engine": name, onchange: ({target}) => {
                 if (target.checked) this.view.hidden.delete(name);
                 else this.view.hidden.add(name);
-                for (const chart of this.charts) chart.setHidden(this.view.hidden);
+                this.charts.setHidden(this.view.hidden);
                 this.draw();
             }});
             input.checked = !unsupported && !this.view.hidden.has(name);
@@ -331,43 +313,10 @@ class LessonPage {
         }
     }
 
-    makeCharts() {
-        const seek = (time) => { this.player.seek(time); this.settled(); };
-        const zoomed = (window) => { for (const each of this.charts) each.setWindow(window); };
-        this.charts = this.lesson.charts.map(({label, value}) =>
-            Object.assign(new Chart(element("h2", {}, say(label)), seek, zoomed), {value}));
-        byId("charts").replaceChildren(...this.charts.map((chart) => chart.figure));
-        byId("charts").classList.toggle("odd", this.charts.length % 2 === 1);
-    }
-
-    fillCharts() {
-        const {scene} = this;
-        for (const chart of this.charts) {
-            const {value} = chart;
-            if (value === "error") chart.show(logarithmic(errorCurve(scene), undefined), {}, say("distance"));
-            else if (value === "energy") this.fillEnergy(chart);
-            else if (value === "causes") chart.show(linear(causesCurve(scene)), {}, "E");
-            else {
-                const choice = choiceOf(scene, value);
-                if (choice) chart.show({...linear(choice.curve()), ...(this.lesson.countsSteps ? {timeUnit: ""} : {})}, {}, choice.axis);
-            }
-            chart.setHidden(this.view.hidden);
-        }
-    }
-
-    fillEnergy(chart) {
-        const engine = this.scene.running.find(({name, energies}) => isSubject(name) && energies.length > 0)
-            ?? this.scene.running.find(({energies}) => energies.length > 0);
-        const sum = {...engineCurve(this.scene, "energy", "J"), ruler: true};
-        const isAlone = this.scene.running.filter(({name}) => !isTruth(name)).length === 1;
-        const isByKind = engine?.energies.length > 1 && isAlone;
-        chart.show(isByKind ? stackedEnergies(this.scene, engine) : linear(sum), {}, "E");
-    }
-
     showResults() {
         if (!this.isMeasured || document.body.dataset.known !== "yes") return;
         const {scene, lesson, values} = this;
-        this.fillCharts();
+        this.charts.fill(this.scene);
         byId("because").textContent = values.filled(scene, say(lesson.because));
         byId("formula-card").hidden = lesson.formula.length === 0;
         byId("formula").replaceChildren(...lesson.formula.map((line) => formulaElement(values.worked(scene, line))));
@@ -387,7 +336,7 @@ class LessonPage {
         if (isOver && document.body.dataset.known === "run") this.know(this.said);
         showTransport(this.player, scene);
         if (this.lesson.countsSteps) byId("clock").textContent = sayWith("step {0}", this.player.frame);
-        for (const chart of this.charts) chart.moveTo(scene.times[this.player.frame]);
+        this.charts.moveTo(scene.times[this.player.frame]);
         this.draw();
     }
 
