@@ -269,6 +269,7 @@ test('every text that lessons and their page say has a German one, and a German 
   const scripts = ['compare/web/lesson', 'compare/view/stage', 'compare/view/page'].flatMap(place => readdirSync(join(root, place))
     .filter(name => name.endsWith('.js')).map(name => readFileSync(join(root, place, name), 'utf8')));
   for (const script of scripts) for (const [, text] of script.matchAll(/\bsay(?:With)?\(\s*"((?:[^"\\]|\\.)*)"/g)) texts.add(text);
+  for (const script of scripts) for (const [, text] of script.matchAll(/const [A-Z_]+ = "([^"]*\{0\}[^"]*)"/g)) texts.add(text);
   const html = readFileSync(join(root, 'compare/web/lesson/lesson.html'), 'utf8');
   for (const [, text] of html.matchAll(/data-say>([^<]+)</g)) texts.add(text.trim());
   for (const { subject } of JSON.parse(readFileSync(join(root, 'compare/lesson/slides.json'), 'utf8'))) texts.add(subject);

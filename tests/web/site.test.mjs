@@ -87,7 +87,7 @@ test('on the front page a pull with the mouse throws a box the other way', () =>
 test('no page is wider than its window at five sizes, light and dark', () => served(async base => {
   for (const [width, height] of sizes)
     await opened(base, { viewport: { width, height }, colorScheme: width % 4 ? 'dark' : 'light' }, async page => {
-      for (const path of ['', 'reference/', 'reference/dynamics.html', 'reference/javascript.html', 'docs/', 'docs/kit/', 'docs/kit/web/', 'docs/games/', 'docs/compare/', 'docs/kit/plumb/dynamics/joints.html', 'report/', 'live/', 'live/#scene=oblique_1']) {
+      for (const path of ['', 'reference/', 'reference/dynamics.html', 'reference/javascript.html', 'docs/', 'docs/kit/', 'docs/kit/web/', 'docs/games/', 'docs/compare/', 'docs/kit/plumb/dynamics/joints.html', 'report/', 'live/', 'live/#scene=oblique_1', 'lessons/', 'lessons/#lesson=stone']) {
         await page.goto(base + path);
         const wide = await page.evaluate(() => document.documentElement.scrollWidth);
         assert.ok(wide <= width, `${path || 'front page'} at ${width}: ${wide}`);

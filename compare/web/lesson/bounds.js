@@ -33,7 +33,8 @@ function drawBounds(context, camera, theme, data) {
         if (!shapes) continue;
         const {at: [x, y], normal: [nx, ny], depth} = shapes, length = Math.max(18, depth * camera.scale);
         drawArrow(context, [camera.x(x), camera.y(y)], [nx * length, -ny * length], true);
-        labelOnPaper(context, theme, `${say("depth")} ${valueText({value: depth, unit: "m"})}`, camera.x(x) + 10, camera.y(y) + 14, "left");
+        const told = `${say("depth")} ${valueText({value: depth, unit: "m"})}`;
+        labelOnPaper(context, theme, told, camera.x(x) + 10, camera.y(y) + 14, "left");
     }
 }
 
@@ -51,7 +52,8 @@ function boundsTable(scene, data) {
 }
 
 function testsTable(tests, count) {
-    const heads = [columnHead(say("Broad phase")), columnHead(say("Tests of two boxes"), true), columnHead(say("Pairs found"), true)];
+    const heads = [columnHead(say("Broad phase")), columnHead(say("Tests of two boxes"), true),
+        columnHead(say("Pairs found"), true)];
     const rows = tests.map(({way, tests, pairs}) => element("tr", {}, rowHead(say(way)),
         element("td", {class: "number"}, String(tests)), element("td", {class: "number"}, String(pairs))));
     return [element("caption", {}, sayWith("{0} boxes, in this step", count)), ...table(heads, rows)];

@@ -44,11 +44,13 @@ class CurvePad {
             return made;
         };
         const step = niceStep((this.high - this.low) / 5), of = niceStep(this.duration / 5);
-        eachLine(this.low, this.high, step, (value) => parts.push(line(PAD.left, this.y(value), PAD.width - PAD.right, this.y(value)),
+        eachLine(this.low, this.high, step, (value) => parts.push(
+            line(PAD.left, this.y(value), PAD.width - PAD.right, this.y(value)),
             label(axisText(value, step), PAD.left - 5, this.y(value) + 4, "end")));
         eachLine(0, this.duration, of, (time) => parts.push(line(this.x(time), PAD.top, this.x(time), PAD.height - PAD.bottom),
             label(axisText(time, of), this.x(time), PAD.height - 10, "middle")));
-        parts.push(label(`[${this.unit}]`, PAD.left + 5, PAD.top + 13, "start"), label("t [s]", PAD.width - PAD.right - 5, PAD.height - PAD.bottom - 6, "end"));
+        parts.push(label(`[${this.unit}]`, PAD.left + 5, PAD.top + 13, "start"),
+            label("t [s]", PAD.width - PAD.right - 5, PAD.height - PAD.bottom - 6, "end"));
         return parts;
     }
 
@@ -128,6 +130,7 @@ class CurvePad {
         this.mark.setAttribute("cx", this.x(time));
         this.mark.setAttribute("cy", this.y(value));
         this.svg.setAttribute("aria-valuenow", Number(value.toPrecision(3)));
-        this.svg.setAttribute("aria-valuetext", `${numberText(time.toFixed(2))} s: ${numberText(value.toPrecision(3))} ${this.unit}`);
+        this.svg.setAttribute("aria-valuetext",
+            `${numberText(time.toFixed(2))} s: ${numberText(value.toPrecision(3))} ${this.unit}`);
     }
 }

@@ -34,7 +34,8 @@ async function lessonModule() {
 
 /// One file of this lesson that needs no network: the module is in it, and where it begins.
 async function offlineLesson(bytes, address, name) {
-    const [own, others] = [true, false].map((isOwn) => JSON.stringify(LESSONS.filter((lesson) => (lesson.name === name) === isOwn)));
+    const [own, others] = [true, false].map((isOwn) =>
+        JSON.stringify(LESSONS.filter((lesson) => (lesson.name === name) === isOwn)));
     // Of the words those that only other lessons say are left out.
     const isNeeded = ([text]) => own.includes(JSON.stringify(text)) || !others.includes(JSON.stringify(text));
     const words = JSON.stringify(Object.fromEntries(Object.entries(JSON.parse(byId("words").textContent))
@@ -62,11 +63,13 @@ function showLessonMenu(live, fault = "") {
 /// The slides of the lecture, each with its lessons.
 function fillLessonMenu() {
     const link = ({name, title, question}) => element("li", {},
-        element("a", {href: `#lesson=${name}&lang=${languageNow}`}, say(title)), element("span", {class: "question"}, plainQuestion(question)));
+        element("a", {href: `#lesson=${name}&lang=${languageNow}`}, say(title)),
+        element("span", {class: "question"}, plainQuestion(question)));
     const rows = SLIDES.map(({slide, subject}) => element("tr", {}, element("td", {class: "slide-numbers"}, String(slide)),
         rowHead(say(subject)), element("td", {}, element("ul", {class: "lesson-links"},
             ...LESSONS.filter(({slides}) => slides.includes(slide)).map(link)))));
-    byId("menu").replaceChildren(...table([columnHead(say("Slide")), columnHead(say("Subject")), columnHead(say("Lessons"))], rows));
+    const heads = ["Slide", "Subject", "Lessons"].map((head) => columnHead(say(head)));
+    byId("menu").replaceChildren(...table(heads, rows));
 }
 
 /// Before a run its numbers are not known.

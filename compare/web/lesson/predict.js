@@ -10,8 +10,8 @@ function judgeNumber({number}, said, {value, unit}) {
     const told = valueText({value: said, unit}), is = valueText({value, unit});
     if (isRight) return {isRight, text: sayWith("Right: it is {0}. You said {1}.", is, told)};
     const way = off > 0 ? "too much" : "too little";
-    const far = Math.abs(value) > 1e-9 && share < 10 ? `${numberText(String(Number((100 * share).toPrecision(2))))}${NO_BREAK}%`
-        : valueText({value: Math.abs(off), unit});
+    const percent = numberText(String(Number((100 * share).toPrecision(2))));
+    const far = Math.abs(value) > 1e-9 && share < 10 ? `${percent}${NO_BREAK}%` : valueText({value: Math.abs(off), unit});
     return {isRight, text: sayWith("You said {0}. It is {1}: yours is {2} {3}.", told, is, far, say(way))};
 }
 
@@ -53,7 +53,8 @@ function numberWidget(host, {number}) {
         "aria-label": say("Your prediction")});
     slider.addEventListener("input", () => { box.value = slider.value; });
     box.addEventListener("input", () => { if (Number.isFinite(box.valueAsNumber)) slider.value = box.value; });
-    host.replaceChildren(element("div", {class: "control"}, element("label", {for: "said"}, `${say("Your prediction")}: ${say(number.label)}`), slider, box,
+    const label = element("label", {for: "said"}, `${say("Your prediction")}: ${say(number.label)}`);
+    host.replaceChildren(element("div", {class: "control"}, label, slider, box,
         element("span", {class: "unit"}, SHOWN_UNITS[unit] ?? unit)));
     return {
         said: () => (Number.isFinite(box.valueAsNumber) ? box.valueAsNumber : null),
@@ -74,11 +75,12 @@ function choiceWidget(host, {choice}) {
     };
 }
 
+const HOW_TO_DRAW = "Draw {0} over the time: with the pointer, or choose a point by ← and → and move it by ↑ and ↓.";
+
 /// scene: for its times; range: of the values, for the axis; unit.
 function curveWidget(host, {curve}, times, range) {
     const pad = new CurvePad(times.at(-1), range, SHOWN_UNITS[curve.unit] ?? curve.unit);
-    host.replaceChildren(element("p", {class: "note"}, sayWith("Draw {0} over the time: with the pointer, or choose a point by ← and → and move it by ↑ and ↓.",
-        say(curve.label))), pad.figure);
+    host.replaceChildren(element("p", {class: "note"}, sayWith(HOW_TO_DRAW, say(curve.label))), pad.figure);
     return {
         pad,
         said: () => (pad.isDrawn ? pad.points.map((point) => [...point]) : null),

@@ -18,21 +18,24 @@ function worksheetPicture(live) {
 }
 
 function predictionOnPaper({predict}) {
-    if (predict.number) return [element("p", {}, `${say("Your prediction")}: ________________ ${SHOWN_UNITS[predict.number.unit] ?? predict.number.unit}`)];
-    if (predict.choice) return predict.choice.options.map((text) => element("p", {class: "tick-box"}, say(text)));
-    return [element("p", {}, sayWith("Draw {0} over the time:", say(predict.curve.label))), element("div", {class: "graph-paper"})];
+    const {number, choice, curve} = predict;
+    if (number) return [element("p", {}, `${say("Your prediction")}: ________________ ${SHOWN_UNITS[number.unit] ?? number.unit}`)];
+    if (choice) return choice.options.map((text) => element("p", {class: "tick-box"}, say(text)));
+    return [element("p", {}, sayWith("Draw {0} over the time:", say(curve.label))), element("div", {class: "graph-paper"})];
 }
 
 /// The values as they are set now.
 function givenOnPaper(live) {
-    const rows = live.panel.rows.map(({control, number}) => `${control.label}: ${numberText(number.value)} ${control.unit}`.trim());
+    const rows = live.panel.rows.map(({control, number}) =>
+        `${control.label}: ${numberText(number.value)} ${control.unit}`.trim());
     return rows.length > 0 ? element("p", {class: "given"}, `${say("Given")}: ${rows.join("; ")}`) : null;
 }
 
 function answersOnPaper(live) {
     const {lesson, values, scene} = live, {predict} = lesson;
     const truth = predict.number ? valueText(values.truth(scene, predict.number.value))
-        : predict.choice ? say(predict.choice.options[predict.choice.right - 1]) : say("The curve is on the page of the lesson.");
+        : predict.choice ? say(predict.choice.options[predict.choice.right - 1])
+        : say("The curve is on the page of the lesson.");
     return element("section", {class: "sheet-page"}, element("h1", {}, `${say(lesson.title)}: ${say("answers")}`),
         element("h2", {}, values.filled(scene, say(lesson.question))), element("p", {}, truth),
         element("p", {}, values.filled(scene, say(lesson.because))),
@@ -43,13 +46,15 @@ function answersOnPaper(live) {
 
 function fillWorksheet(live) {
     const {lesson} = live;
+    const told = (text) => live.values.filled(live.scene, say(text));
+    const rooms = lesson.predict.curve ? 2 : 3;
+    const asked = lesson.questions.map(({ask}) => element("li", {}, element("p", {}, told(ask)), ...lines(rooms)));
     byId("worksheet").replaceChildren(
         element("section", {class: "sheet-page"},
             element("p", {class: "name-line"}, `${say("Name")} ______________________   ${say("Date")} ____________`),
-            element("h1", {}, say(lesson.title)), element("p", {}, live.values.filled(live.scene, say(lesson.about))), worksheetPicture(live), givenOnPaper(live),
-            element("h2", {}, live.values.filled(live.scene, say(lesson.question))), ...predictionOnPaper(lesson),
-            element("p", {}, `${say("What the run shows")}: ________________`),
-            element("ol", {}, ...lesson.questions.map(({ask}) => element("li", {}, element("p", {}, live.values.filled(live.scene, say(ask))), ...lines(lesson.predict.curve ? 2 : 3))))),
+            element("h1", {}, say(lesson.title)), element("p", {}, told(lesson.about)), worksheetPicture(live),
+            givenOnPaper(live), element("h2", {}, told(lesson.question)), ...predictionOnPaper(lesson),
+            element("p", {}, `${say("What the run shows")}: ________________`), element("ol", {}, ...asked)),
         answersOnPaper(live));
 }
 
