@@ -151,6 +151,13 @@ TEST_CASE("each lesson can be read, has three questions, under 80 lines, and a n
     }
 }
 
+TEST_CASE("the shortest lesson of the page is its example, and falls by 19.62 m", "[compare][lesson][house]") {
+    const std::string example = test::textOf(test::repository / "compare/lesson/example.json");
+    const std::string page = test::textOf(test::repository / "compare/lesson/README.md");
+    CHECK(page.find("```json\n" + example + "```") != std::string::npos);
+    CHECK(numberOf(runLesson(lessonFromJson(example, "f")), "drop of y of ball") == Approx(19.62).epsilon(1e-12));
+}
+
 TEST_CASE("the page on lessons names each field, each number of an engine for lessons, and each kind of prediction",
           "[compare][lesson][house]") {
     const std::string page = test::textOf(test::repository / "compare/lesson/README.md");
