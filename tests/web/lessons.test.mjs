@@ -177,6 +177,29 @@ test('the keyboard alone predicts, runs, turns, steps and chooses, a curve too',
   });
 });
 
+test('a question asks about the values that are turned to, before the run and after it', { timeout: 60_000 }, async () => {
+  await served(address => openedLesson(address, 'firing', async page => {
+    assert.match(await page.textContent('#question'), /20\sm\/s/);
+    await page.locator('[data-as="size"] input[type="number"]').fill('25');
+    await page.locator('[data-as="size"] input[type="number"]').press('Enter');
+    await page.waitForFunction(() => /25\sm\/s/.test(document.getElementById('question').textContent), null, { timeout: 5000 });
+    await page.click('#show');
+    await known(page);
+    assert.match(await page.textContent('#question'), /25\sm\/s/);
+  }));
+});
+
+test('an engine that refuses its number is said, and the lesson goes on as it was', { timeout: 60_000 }, async () => {
+  await served(address => opened(`${address}lessons/#lesson=bisection&set=${encodeURIComponent('bisection:solver.probes=99')}&lang=en`,
+    { viewport: { width: 1280, height: 800 } }, async page => {
+      await ready(page);
+      assert.match(await page.textContent('#refused'), /bisection.solver.probes: 99 is not from 0 to 30/);
+      await page.click('#show');
+      await known(page);
+      assert.match(await page.textContent('#numbers'), /0.4063/);
+    }));
+});
+
 test('axe finds nothing in the list and in each kind of lesson, before and after the run, on light and dark', { timeout: 300_000 }, async () => {
   const faultsOf = async page => {
     await page.evaluate(axe);
@@ -272,6 +295,7 @@ test('every text that lessons and their page say has a German one, and a German 
   for (const script of scripts) for (const [, text] of script.matchAll(/const [A-Z_]+ = "([^"]*\{0\}[^"]*)"/g)) texts.add(text);
   const html = readFileSync(join(root, 'compare/web/lesson/lesson.html'), 'utf8');
   for (const [, text] of html.matchAll(/data-say>([^<]+)</g)) texts.add(text.trim());
+  for (const [, text] of html.matchAll(/aria-label="([^"]+)"/g)) texts.add(text);
   for (const { subject } of JSON.parse(readFileSync(join(root, 'compare/lesson/slides.json'), 'utf8'))) texts.add(subject);
   const missing = [...texts].filter(text => !(text in words) && text !== 'decimal point');
   assert.deepEqual(missing, []);

@@ -20,9 +20,9 @@ function withCount(json, count) {
 
 class LessonPage {
     constructor(comparison, list) {
-        Object.assign(this, {comparison, list, runs: new Runs(comparison), values: new Values(comparison), schema: null});
+        Object.assign(this, {comparison, list, runs: new Runs(comparison), values: new Values(comparison)});
         this.player = new Player(() => this.showTime());
-        this.showSpeed = bindTransport(this.player, () => this.settled());
+        bindTransport(this.player, () => this.settled());
         this.view = {scene: null, hidden: new Set(), magnify: 1, aim: wholeView(), theme: stageTheme(), tools: {}};
         this.aim = new StageAim(byId("stage"), this.view, () => this.draw());
         bindKeys(this.player, this.aim, () => this.view.scene !== null);
@@ -62,7 +62,7 @@ class LessonPage {
         this.count = count;
         const {lesson, scene} = this.comparison.lesson(count ? withCount(json, count) : json);
         this.runs.take(scene);
-        Object.assign(this, {lesson, json, changed: new Map(changed), own: null});
+        Object.assign(this, {lesson, json, changed: new Map(changed)});
         this.values.openFor(lesson.engines);
         this.worse.open(lesson.worse, [...this.list.engines, ...this.list.onDemand]);
         this.start();
@@ -98,20 +98,25 @@ class LessonPage {
                 faults.push(error.message);
             }
         }
-        byId("refused").textContent = faults.join("; ");
         this.values.forget();
-        try {
-            this.runs.start(this.engines);
-        } catch (error) {
-            // An engine refuses a number of its own.
-            byId("refused").textContent = error.message;
-            this.worse.clear();
-            this.runs.reset();
-            this.runs.start(this.engines);
-        }
+        this.startRuns(faults);
+        byId("refused").textContent = faults.join("; ");
         this.view.scene = this.scene;
         this.isMeasured = false;
         this.advance();
+    }
+
+    /// An engine may refuse a number of its own: then the lesson runs as it was, and faults says why.
+    startRuns(faults) {
+        try {
+            this.runs.start(this.engines);
+        } catch (error) {
+            faults.push(error.message);
+            this.worse.clear();
+            this.changed.clear();
+            this.runs.reset();
+            this.runs.start(this.engines);
+        }
     }
 
     advance() {
@@ -139,14 +144,13 @@ class LessonPage {
         this.isMeasured = true;
         const {aim} = this.view;
         if (document.body.dataset.known === "yes" && aim.zoom === 1 && aim.follow === null) this.view.box = sceneBox(this.scene);
+        this.showAsked();
         this.showResults();
-        document.body.dataset.measured = "yes";
     }
 
     /// The same lesson with other engines or values.
     rebuild() {
         const {time} = this.player;
-        document.body.dataset.measured = "no";
         this.start();
         this.player.times = this.scene.times;
         this.player.time = Math.min(time, this.player.end);
@@ -244,6 +248,8 @@ class LessonPage {
             this.changed.set(path, texts[i]);
         });
         this.rebuild();
+        // What was drawn was drawn for other values, and their range may be another one.
+        if (this.lesson.predict.curve && document.body.dataset.known === "no") this.makeWidget();
         if (byId("judged").dataset.right !== undefined) {
             delete byId("judged").dataset.right;
             byId("judged").textContent = say("The values have changed: predict again.");
@@ -266,8 +272,6 @@ class LessonPage {
         byId("lesson-title").textContent = say(lesson.title);
         document.title = `${say(lesson.title)} – ${say("Plumb lessons")}`;
         byId("slides").textContent = lesson.slides.length > 0 ? sayWith("Slides {0}", lesson.slides.join(", ")) : "";
-        byId("about").textContent = this.values.filled(this.scene, say(lesson.about));
-        byId("question").textContent = this.values.filled(this.scene, say(lesson.question));
         byId("worse-card").hidden = lesson.worse.length === 0;
         byId("turn").hidden = lesson.controls.length === 0 && lesson.counts.length === 0;
         byId("reset").parentElement.hidden = lesson.controls.length === 0;
@@ -276,12 +280,21 @@ class LessonPage {
         byId("count").value = this.count ?? this.scene.name.match(/\d*$/)[0];
         byId("counts-frame").hidden = !lesson.show.some((shown) => shown === "bounds" || shown === "tests");
         byId("bounds").parentElement.hidden = !lesson.show.includes("bounds");
-        byId("questions").replaceChildren(...lesson.questions.map(({ask}) => element("li", {}, element("details", {},
-            element("summary", {}, this.values.filled(this.scene, say(ask))), element("p", {class: "answer-text"})))));
+        byId("questions").replaceChildren(...lesson.questions.map(() => element("li", {}, element("details", {},
+            element("summary"), element("p", {class: "answer-text"})))));
+        this.showAsked();
         this.showPanel();
         this.showKeys();
         this.charts.open(lesson);
         showOwnFiles(this);
+    }
+
+    /// What is asked, with the values as they are now.
+    showAsked() {
+        const {lesson} = this, told = (text) => this.values.filled(this.scene, say(text));
+        byId("about").textContent = told(lesson.about);
+        byId("question").textContent = told(lesson.question);
+        byId("questions").querySelectorAll("summary").forEach((each, i) => { each.textContent = told(lesson.questions[i].ask); });
     }
 
     showPanel() {
