@@ -11,6 +11,9 @@
 #include <compare/scene/set_field.h>
 
 namespace plumb::compare {
+
+const std::vector<std::string> broadPhaseNames{"brute", "grid", "sweep", "hierarchy"};
+
 namespace {
 
 const std::vector<std::string> valueNames{"x", "y", "angle", "vx", "vy", "speed", "spin"};  // in the order of BodyValue
@@ -19,12 +22,6 @@ const std::vector<std::string> ordinals{"last", "first", "second", "third", "fou
 bool has(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
-
-}  // namespace
-
-const std::vector<std::string> broadPhaseNames{"brute", "grid", "sweep", "hierarchy"};
-
-namespace {
 
 /// Reads the words between one pair of braces, one after the other.
 class QueryReader {

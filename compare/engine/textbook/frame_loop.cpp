@@ -49,8 +49,12 @@ Transform FrameLoop::Body::pose() const {
     return {center - turned * mass.center, turned};
 }
 
+double FrameLoop::Body::shareOfWay(double fraction) const {
+    return from < 1 ? std::clamp((fraction - from) / (1 - from), 0.0, 1.0) : 1;
+}
+
 Transform FrameLoop::Body::poseAt(double fraction) const {
-    return plumb::poseAt(way, from < 1 ? std::clamp((fraction - from) / (1 - from), 0.0, 1.0) : 1);
+    return plumb::poseAt(way, shareOfWay(fraction));
 }
 
 FrameLoop::FrameLoop(const Scene& scene, Integration integration, CollisionTest test)
@@ -172,49 +176,50 @@ void FrameLoop::forEachPair(const Act& act) {
             if (mayMeet(a, b)) act(a, b);
 }
 
-/// A shape of one and a shape of the other, where they are.
+/// Each shape of one with each of the other that it may touch.
+template <class Act>
+void FrameLoop::forEachShapes(std::size_t a, std::size_t b, const Act& act) const {
+    const std::vector<ShapeDef>&ofA = bodies_[a].def.shapes, &ofB = bodies_[b].def.shapes;
+    for (std::size_t i = 0; i < ofA.size(); ++i)
+        for (std::size_t k = 0; k < ofB.size(); ++k)
+            if (collides(ofA[i], ofB[k])) act(i, k, ofA[i].shape, ofB[k].shape);
+}
+
+/// What overlaps at the frame's end is moved apart, and the law of impact applies there.
 void FrameLoop::separate(std::size_t a, std::size_t b) {
     Body &first = bodies_[a], &second = bodies_[b];
-    for (std::size_t i = 0; i < first.def.shapes.size(); ++i)
-        for (std::size_t k = 0; k < second.def.shapes.size(); ++k) {
-            const ShapeDef &shapeA = first.def.shapes[i], &shapeB = second.def.shapes[k];
-            if (!collides(shapeA, shapeB)) continue;
-            const auto found = overlap(shapeA.shape, first.pose(), shapeB.shape, second.pose());
-            if (!found) continue;
-            const Vec2 out = found->depth / (first.inverseMass + second.inverseMass) * found->normal;
-            shift(first, -first.inverseMass * out);
-            shift(second, second.inverseMass * out);
-            resolve({a, b, i, k, 1, (found->pointA + found->pointB) / 2, found->normal});
-        }
+    forEachShapes(a, b, [&](std::size_t i, std::size_t k, const Shape& shapeA, const Shape& shapeB) {
+        const auto found = overlap(shapeA, first.pose(), shapeB, second.pose());
+        if (!found) return;
+        const Vec2 out = found->depth / (first.inverseMass + second.inverseMass) * found->normal;
+        shift(first, -first.inverseMass * out);
+        shift(second, second.inverseMass * out);
+        resolve({a, b, i, k, 1, (found->pointA + found->pointB) / 2, found->normal});
+    });
 }
 
 /// The lecture's time of collision by five probes: both go back to it, and on from there with their new velocities.
 void FrameLoop::bisect(std::size_t a, std::size_t b, double dt) {
     Body &first = bodies_[a], &second = bodies_[b];
-    for (std::size_t i = 0; i < first.def.shapes.size(); ++i)
-        for (std::size_t k = 0; k < second.def.shapes.size(); ++k) {
-            const ShapeDef &shapeA = first.def.shapes[i], &shapeB = second.def.shapes[k];
-            if (!collides(shapeA, shapeB)) continue;
-            const auto isOverlapping = [&](double fraction) {
-                return overlap(shapeA.shape, first.poseAt(fraction), shapeB.shape, second.poseAt(fraction)).has_value();
-            };
-            const auto time = bisectCollision(isOverlapping);
-            if (!time) continue;
-            const Distance gap =
-                distance(shapeA.shape, first.poseAt(time->apart), shapeB.shape, second.poseAt(time->apart));
-            const Meeting meeting{a, b, i, k, time->apart, (gap.pointA + gap.pointB) / 2, gap.normal};
-            if (!approach(meeting)) continue;
-            resolve(meeting);
-            for (const std::size_t body : {a, b}) goOn(body, time->apart, dt);
-        }
+    forEachShapes(a, b, [&](std::size_t i, std::size_t k, const Shape& shapeA, const Shape& shapeB) {
+        const auto isOverlapping = [&](double fraction) {
+            return overlap(shapeA, first.poseAt(fraction), shapeB, second.poseAt(fraction)).has_value();
+        };
+        const auto time = bisectCollision(isOverlapping);
+        if (!time) return;
+        const Distance gap = distance(shapeA, first.poseAt(time->apart), shapeB, second.poseAt(time->apart));
+        const Meeting meeting{a, b, i, k, time->apart, (gap.pointA + gap.pointB) / 2, gap.normal};
+        if (!approach(meeting)) return;
+        resolve(meeting);
+        for (const std::size_t body : {a, b}) goOn(body, time->apart, dt);
+    });
 }
 
 /// From this share of the frame on the body moves straight, with the mean of its velocity then and at the end.
 void FrameLoop::goOn(std::size_t index, double fraction, double dt) {
     Body& body = bodies_[index];
     const Transform there = body.poseAt(fraction);
-    const double share = body.from < 1 ? std::clamp((fraction - body.from) / (1 - body.from), 0.0, 1.0) : 1;
-    const double left = (1 - fraction) * dt, angle = body.way.angle + share * body.way.turn;
+    const double left = (1 - fraction) * dt, angle = body.way.angle + body.shareOfWay(fraction) * body.way.turn;
     const Vec2 mean = (body.velocityAt(fraction) + body.velocity) / 2;
     body.way = {there * body.mass.center, left * mean, angle, left * body.angularVelocity, body.mass.center};
     body.from = fraction;
@@ -225,17 +230,12 @@ void FrameLoop::goOn(std::size_t index, double fraction, double dt) {
 std::vector<FrameLoop::Meeting> FrameLoop::touches(std::size_t a, std::size_t b) const {
     const Body &first = bodies_[a], &second = bodies_[b];
     const double from = std::max(first.from, second.from);
-    const auto rest = [&](const Body& body) {
-        return body.from < 1 ? partOf(body.way, (from - body.from) / (1 - body.from), 1) : partOf(body.way, 1, 1);
-    };
+    const auto rest = [&](const Body& body) { return partOf(body.way, body.shareOfWay(from), 1); };
     std::vector<Meeting> found;
-    for (std::size_t i = 0; i < first.def.shapes.size(); ++i)
-        for (std::size_t k = 0; k < second.def.shapes.size(); ++k) {
-            const ShapeDef &shapeA = first.def.shapes[i], &shapeB = second.def.shapes[k];
-            if (!collides(shapeA, shapeB)) continue;
-            const auto touch = firstTouch(shapeA.shape, rest(first), shapeB.shape, rest(second));
-            if (touch) found.push_back({a, b, i, k, from + (1 - from) * touch->time, touch->point, touch->normal});
-        }
+    forEachShapes(a, b, [&](std::size_t i, std::size_t k, const Shape& shapeA, const Shape& shapeB) {
+        const auto touch = firstTouch(shapeA, rest(first), shapeB, rest(second));
+        if (touch) found.push_back({a, b, i, k, from + (1 - from) * touch->time, touch->point, touch->normal});
+    });
     return found;
 }
 

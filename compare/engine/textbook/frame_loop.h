@@ -38,12 +38,13 @@ private:
         BodyDef def;
         Mass mass;
         double inverseMass = 0, inverseInertia = 0;
-        Vec2 center{0, 0}, velocity{0, 0};        ///< of mass [m, m/s]
-        double angle = 0, angularVelocity = 0;    ///< [rad, rad/s]
-        Sweep way{};                              ///< in this frame
-        Vec2 gain{0, 0};                          ///< of velocity in the whole frame, by forces [m/s]
-        double from = 0;                          ///< where on the frame its way begins, 0 to 1 [-]
-        Transform poseAt(double fraction) const;  ///< of the whole frame
+        Vec2 center{0, 0}, velocity{0, 0};         ///< of mass [m, m/s]
+        double angle = 0, angularVelocity = 0;     ///< [rad, rad/s]
+        Sweep way{};                               ///< in this frame
+        Vec2 gain{0, 0};                           ///< of velocity in the whole frame, by forces [m/s]
+        double from = 0;                           ///< where on the frame its way begins, 0 to 1 [-]
+        double shareOfWay(double fraction) const;  ///< that it has gone at this share of the frame
+        Transform poseAt(double fraction) const;
         Transform pose() const;
         /// At this share of the frame: velocity is that at its end, if nothing is met any more.
         Vec2 velocityAt(double fraction) const { return velocity - (1 - fraction) * gain; }
@@ -64,6 +65,8 @@ private:
     Eigen::VectorXd accelerations(const Eigen::VectorXd& position, const Eigen::VectorXd& velocity, double dt) const;
     template <class Act>
     void forEachPair(const Act& act);
+    template <class Act>
+    void forEachShapes(std::size_t a, std::size_t b, const Act& act) const;
     void separate(std::size_t a, std::size_t b);
     void bisect(std::size_t a, std::size_t b, double dt);
     void sweep(double dt);
