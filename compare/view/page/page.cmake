@@ -10,7 +10,7 @@ set(PLUMB_VIEW_SCRIPTS
     stage/pose.js stage/camera.js stage/paper.js stage/field.js stage/still.js stage/path.js
     stage/quantities.js stage/arrows.js stage/tools.js stage/readout.js stage/aim.js stage/stage.js stage/picture.js
     page/player.js page/curves.js page/limits.js page/chart.js page/charts.js page/csv.js page/numbers.js
-    page/controls.js page/partings.js page/scene_page.js)
+    page/controls.js page/switches.js page/partings.js page/scene_page.js)
 list(TRANSFORM PLUMB_VIEW_SCRIPTS PREPEND "${PLUMB_VIEW_DIR}/")
 set(PLUMB_VIEW_STYLES page/page.css page/overview.css page/scene.css)
 list(TRANSFORM PLUMB_VIEW_STYLES PREPEND "${PLUMB_VIEW_DIR}/")

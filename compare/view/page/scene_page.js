@@ -1,42 +1,28 @@
 // SPDX-License-Identifier: MIT
 // What does the page of one scene contain? The stage, the charts and the tables, all at one time.
 
-/// What may be drawn besides the bodies, each with its checkbox.
-const DRAWN = ["path", "trails", "velocity", "components", "acceleration", "momentum", "force", "causes"];
-
 class ScenePage {
     /// settled() is called when the page is in a state that the address should name; grab as for StageAim.
     constructor(settled, grab) {
         this.player = new Player(() => this.showTime());
         this.showSpeed = bindTransport(this.player, settled);
         this.settled = settled;
-        this.view = {scene: null, hidden: new Set(), magnify: 1, aim: wholeView(), theme: stageTheme(), tools: {}};
+        this.view = emptyView();
         this.aim = new StageAim(byId("stage"), this.view, () => this.draw(), grab);
         const seek = (time) => { this.player.seek(time); settled(); };
         this.charts = new Charts(byId("charts"), seek);
         bindKeys(this.player, this.aim, () => this.view.scene !== null);
         document.addEventListener("keyup", () => { if (!this.player.playing) settled(); });
-        for (const drawn of DRAWN) {
-            byId(drawn).addEventListener("change", ({target}) => { this.view[drawn] = target.checked; this.draw(); });
-        }
-        for (const tool of Object.keys(TOOLS)) {
-            byId(tool).addEventListener("change", ({target}) => this.take(tool, target.checked));
-        }
-        byId("stopwatch").addEventListener("click", () => {
-            this.player.pressStopwatch();
-            this.showTime();
-        });
+        bindSwitches(this);
         fillChoice(byId("magnify"), "magnify", MAGNIFICATIONS, 1, (times) => {
             this.view.magnify = times;
             this.draw();
         });
-        new ResizeObserver(() => this.restyle()).observe(byId("stage"));
         const parts = ["scene-answer", "partings", "unsupported"].map(byId);
         const above = new ResizeObserver(() => document.documentElement.style.setProperty("--above",
             `${parts.reduce((sum, part) => sum + part.offsetHeight, 0)}px`));
         for (const part of parts) above.observe(part);
         matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-            this.restyle();
             if (this.view.scene) this.charts.show();
         });
     }
@@ -74,15 +60,8 @@ class ScenePage {
     show(scene) {
         this.showHead(scene);
         this.showPartings(scene);
-        this.showKeys(scene);
+        showEngineKeys(this, scene);
         this.showTables(scene);
-    }
-
-    /// Takes a tool, or puts it away.
-    take(tool, isTaken) {
-        if (isTaken) this.view.tools[tool] = toolPoints(this.view.camera, tool);
-        else delete this.view.tools[tool];
-        this.draw();
     }
 
     showHead(scene) {
@@ -115,16 +94,6 @@ class ScenePage {
         }
     }
 
-    showKeys(scene) {
-        byId("engine-keys").replaceChildren(...scene.engines.map((engine) => {
-            const toggle = (event) => this.toggle(engine.name, event.target.checked);
-            const input = element("input", {type: "checkbox", onchange: toggle, "data-engine": engine.name});
-            input.checked = !engine.unsupported && !this.view.hidden.has(engine.name);
-            input.disabled = Boolean(engine.unsupported);
-            return element("label", {title: engine.unsupported ?? ""}, input, element("span", {}, engineName(engine.name)));
-        }));
-    }
-
     showTables(scene) {
         byId("formula-card").hidden = !scene.closedForm;
         byId("formula").replaceChildren(...formulaParts(scene.closedForm?.formula ?? ""));
@@ -152,13 +121,6 @@ class ScenePage {
             : `positions to ${quantity(scene.lengthStep, "m", 1)}, velocities from their differences`;
         byId("files-note").textContent = `CSV, one file an engine, with ${ticks}: ${states}, ${sums}, probes, ` +
             "and the distance to the closed form.";
-    }
-
-    toggle(engine, shown) {
-        if (shown) this.view.hidden.delete(engine);
-        else this.view.hidden.add(engine);
-        this.charts.setHidden(this.view.hidden);
-        this.draw();
     }
 
     restyle() {

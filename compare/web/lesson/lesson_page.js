@@ -23,7 +23,7 @@ class LessonPage {
         Object.assign(this, {comparison, list, runs: new Runs(comparison), values: new Values(comparison)});
         this.player = new Player(() => this.showTime());
         bindTransport(this.player, () => this.settled());
-        this.view = {scene: null, hidden: new Set(), magnify: 1, aim: wholeView(), theme: stageTheme(), tools: {}};
+        this.view = emptyView();
         this.aim = new StageAim(byId("stage"), this.view, () => this.draw());
         bindKeys(this.player, this.aim, () => this.view.scene !== null);
         this.panel = new Panel(byId("controls"), (paths, texts, isOver) => this.turn(paths, texts, isOver),
@@ -40,18 +40,7 @@ class LessonPage {
         click("again", () => this.ask());
         click("reset", () => this.reset());
         byId("count").addEventListener("change", ({target}) => this.open(this.json, {count: Number(target.value)}));
-        click("stopwatch", () => { this.player.pressStopwatch(); this.showTime(); });
-        for (const drawn of [...DRAWN, "bounds"]) byId(drawn).addEventListener("change", ({target}) => {
-            this.view[drawn] = target.checked;
-            this.draw();
-        });
-        for (const tool of Object.keys(TOOLS)) byId(tool).addEventListener("change", ({target}) => {
-            if (target.checked) this.view.tools[tool] = toolPoints(this.view.camera, tool);
-            else delete this.view.tools[tool];
-            this.draw();
-        });
-        new ResizeObserver(() => this.restyle()).observe(byId("stage"));
-        matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.restyle());
+        bindSwitches(this, [...DRAWN, "bounds"]);
     }
 
     // ---- opening
@@ -156,7 +145,7 @@ class LessonPage {
         this.player.time = Math.min(time, this.player.end);
         byId("scrub").max = this.scene.ticks.length - 1;
         this.view.box.addBox(sceneBox(this.scene));
-        this.showKeys();
+        showEngineKeys(this, this.scene);
         this.showTime();
         this.settled();
     }
@@ -284,7 +273,7 @@ class LessonPage {
             element("summary"), element("p", {class: "answer-text"})))));
         this.showAsked();
         this.showPanel();
-        this.showKeys();
+        showEngineKeys(this, this.scene);
         this.charts.open(lesson);
         showOwnFiles(this);
     }
@@ -300,20 +289,6 @@ class LessonPage {
     showPanel() {
         const controls = this.lesson.controls.map((control) => ({...control, label: say(control.label), meaning: ""}));
         this.panel.show([{title: say("This lesson"), controls, open: true}], this.exported(), this.runs.data.bodies);
-    }
-
-    showKeys() {
-        byId("engine-keys").replaceChildren(...this.scene.engines.map(({name, unsupported}) => {
-            const input = element("input", {type: "checkbox", "data-engine": name, onchange: ({target}) => {
-                if (target.checked) this.view.hidden.delete(name);
-                else this.view.hidden.add(name);
-                this.charts.setHidden(this.view.hidden);
-                this.draw();
-            }});
-            input.checked = !unsupported && !this.view.hidden.has(name);
-            input.disabled = Boolean(unsupported);
-            return element("label", {title: unsupported ?? ""}, input, element("span", {}, engineName(name)));
-        }));
     }
 
     /// The ways and arrows would tell the answer before it is predicted.

@@ -185,7 +185,7 @@ class LivePage {
         if (this.runs.kept) this.runs.forget();
         else this.runs.keep();
         byId("keep").textContent = this.runs.kept ? "Forget the kept run" : "Keep this run";
-        this.page.showKeys(this.scene);
+        showEngineKeys(this.page, this.scene);
         this.page.charts.load(this.scene);
         this.page.draw();
     }
@@ -197,7 +197,7 @@ class LivePage {
         if (this.runs.wanted.includes(engine)) return;
         this.wanted = [...this.runs.wanted, engine];
         this.again();
-        this.page.showKeys(this.scene);
+        showEngineKeys(this.page, this.scene);
     }
 
     // ---- the panel

@@ -75,7 +75,7 @@ TEST_CASE("a drift of a million, and an energy of 12,345,678 J, are shown with a
     if (noBrowser()) return;
     const BrowserFolder folder;
     const Opened opened = openWith(
-        folder, {"page/format.js"},
+        folder, {"page/words.js", "page/format.js"},
         "<p id='said'></p><script>document.getElementById('said').textContent = "
         "[quantity(1234567, ''), quantity(1.41, ''), rulerText(12345678, 'J'), rulerText(8667.4, 'J')].join('; ')"
         "</script>");
