@@ -93,6 +93,22 @@ TEST_CASE("a pendulum of 1 m that swings by 5 mm to 5 cm swings on for a minute"
     }
 }
 
+TEST_CASE("a stone that stops in the air when a step ends flies on, however long the step", "[dynamics][sleep]") {
+    const double gravity = 9.81;
+    for (const double length : {1.0 / 60, 0.1, 0.25, 0.5, 0.75, 1.0}) {
+        for (const double sleepTime : {0.02, 0.5, 2.0}) {
+            World world({.gravity = {0, -gravity}, .solver = {.sleepTime = sleepTime}});
+            const BodyId stone = world.add({.velocity = {0, gravity * length}, .shapes = {circle(0.5)}});
+            world.step(length);
+            REQUIRE(world.body(stone).velocity().norm() < 1e-12);
+            world.step(length);
+            INFO("steps of " << length << " s, sleepTime " << sleepTime);
+            CHECK(world.body(stone).awake());
+            CHECK_THAT(world.body(stone).velocity().y(), WithinRel(-gravity * length, 1e-9));
+        }
+    }
+}
+
 TEST_CASE("a box on a slope half a degree over its friction angle slides on", "[dynamics][sleep]") {
     for (const double degrees : {0.1, 0.5, 2.0}) {
         const double steep = std::atan(0.5) + degrees * std::numbers::pi / 180, g = 9.81;

@@ -94,7 +94,8 @@ bool countStillness(BodyStore& bodies, const ContactStore& contacts, const Joint
         if (record.stillTime == 0) {
             watch = {};
             startPart(watch, bodies.motion[body]);
-            record.stillTime = dt;
+            // One look shows no rest, however long the step: a stone at the top of its way is still, too.
+            record.stillTime = std::min(dt, 0.5 * settings.sleepTime);
             const double speed = bodies.motion[body].velocity.norm();
             if (speed > 0.5 * settings.sleepSpeed && swings(bodies, contacts, joints, body)) watch.gained = speed;
         } else {
