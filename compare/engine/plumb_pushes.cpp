@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <variant>
 
 #include <plumb/math/vec2.h>
 
@@ -34,18 +35,26 @@ void addContacts(const PlumbWorld& made, const Places& places, std::size_t body,
     }
 }
 
+/// The rope of a pulley draws both bodies to its wheels: the force on A is not the opposite of that on B.
+Vec2 forceOnA(const PlumbWorld& made, const JointGeometry& joint, const Vec2& forceOnB) {
+    const auto* pulley = std::get_if<PulleyJointDef>(&joint.def);
+    if (pulley == nullptr) return -forceOnB;
+    const Vec2 anchor = made.world.body(made.bodies[joint.bodyA]).pose() * joint.localAnchorA;
+    return forceOnB.norm() / pulley->ratio * (pulley->groundA - anchor).normalized();
+}
+
 void addJoints(const PlumbWorld& made, std::vector<Push>& pushes) {
     for (std::size_t i = 0; i < made.geometries.size(); ++i) {
         const JointGeometry& joint = made.geometries[i];
         if (joint.bodyB == noBody || !made.world.contains(made.joints[i])) continue;
         const Vec2 force = made.world.joint(made.joints[i]).reaction().force;
-        const auto on = [&](std::size_t body, const Vec2& anchor, double side) {
+        const auto on = [&](std::size_t body, const Vec2& anchor, const Vec2& push) {
             const BodyView view = made.world.body(made.bodies[body]);
             if (view.type() != BodyType::Dynamic) return;
-            pushes.push_back({Cause::Joint, body, i, view.pose() * anchor, side * force});
+            pushes.push_back({Cause::Joint, body, i, view.pose() * anchor, push});
         };
-        on(joint.bodyB, joint.localAnchorB, 1);
-        if (joint.bodyA != noBody) on(joint.bodyA, joint.localAnchorA, -1);
+        on(joint.bodyB, joint.localAnchorB, force);
+        if (joint.bodyA != noBody) on(joint.bodyA, joint.localAnchorA, forceOnA(made, joint, force));
     }
 }
 

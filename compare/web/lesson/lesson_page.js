@@ -213,6 +213,8 @@ class LessonPage {
         this.view.box = sceneBox(this.scene);
         this.widget.lock(true);
         this.showDrawn(true);
+        const {curve} = this.lesson.predict;
+        if (curve) this.widget.showTruth(this.curveOf(curve.value));
         if (said !== null) this.judge(said);
         this.measure();
         this.showResults();
@@ -226,7 +228,6 @@ class LessonPage {
             : judgeCurve(predict, said, {times: [...this.scene.times], values: this.curveOf(predict.curve.value)});
         byId("judged").textContent = judged.text;
         byId("judged").dataset.right = judged.isRight;
-        if (predict.curve) this.widget.showTruth(this.curveOf(predict.curve.value));
     }
 
     // ---- changes
