@@ -11,6 +11,7 @@
 
 #include <compare/check/aimed.h>
 #include <compare/check/course.h>
+#include <compare/check/samples.h>
 #include <compare/metric/bounds.h>
 #include <compare/metric/length_text.h>
 #include <compare/scene/answer.h>
@@ -45,17 +46,30 @@ std::optional<double> slopeIn(const BodyState& state, BodyValue value) {
     }
 }
 
-Course courseOf(const Scene& scene, const Observation& run, const Reading& quantity) {
-    Course course{.dt = run.dt};
+std::vector<double> valuesAtTicks(const Scene& scene, const Observation& run, const Reading& quantity) {
+    std::vector<double> values;
     if (quantity.body.empty()) {
         const auto probe = std::ranges::find(scene.probes, quantity.probe, &Probe::name) - scene.probes.begin();
-        for (const std::vector<double>& row : run.probes) course.value.push_back(row[static_cast<std::size_t>(probe)]);
+        for (const std::vector<double>& row : run.probes) values.push_back(row[static_cast<std::size_t>(probe)]);
+    } else {
+        const std::size_t body = bodyIndex(scene, quantity.body);
+        for (const std::vector<BodyState>& row : run.states) values.push_back(valueIn(row[body], quantity.value));
+    }
+    return values;
+}
+
+/// Of a body also at its impacts, where it has one place and two velocities.
+Course courseOf(const Scene& scene, const Observation& run, const Reading& quantity) {
+    Course course;
+    if (quantity.body.empty()) {
+        course.value = valuesAtTicks(scene, run, quantity);
+        for (std::size_t i = 0; i < course.value.size(); ++i) course.time.push_back(static_cast<double>(i) * run.dt);
         return course;
     }
-    const std::size_t body = bodyIndex(scene, quantity.body);
-    for (const std::vector<BodyState>& row : run.states) {
-        course.value.push_back(valueIn(row[body], quantity.value));
-        if (const auto slope = slopeIn(row[body], quantity.value)) course.slope.push_back(*slope);
+    for (const Sample& sample : samplesOf(run, bodyIndex(scene, quantity.body))) {
+        course.time.push_back(sample.time);
+        course.value.push_back(valueIn(sample.state, quantity.value));
+        if (const auto slope = slopeIn(sample.state, quantity.value)) course.slope.push_back(*slope);
     }
     return course;
 }
@@ -86,11 +100,9 @@ double endOf(const Observation& run) {
 }
 
 /// Of a query that reads a quantity; time: the moment at which it reads [s].
-std::optional<double> readingAt(const Course& course, const Observation& run, AnswerQuery::Kind kind, double time) {
+std::optional<double> readingAt(const Course& course, AnswerQuery::Kind kind, double time) {
     using Kind = AnswerQuery::Kind;
     switch (kind) {
-        case Kind::Largest: return extremeOf(valuesThatCount(run, course.value), true);
-        case Kind::Smallest: return extremeOf(valuesThatCount(run, course.value), false);
         case Kind::Change: return valueAt(course, time) - course.value.front();
         case Kind::Drop: return course.value.front() - valueAt(course, time);
         case Kind::Period: return periodOf(course);
@@ -155,10 +167,12 @@ std::optional<double> valueOf(const Scene& scene, const Observation& run, const 
     if (query.kind == Kind::Overlap)
         return overlapOf(scene, query.when ? run.states.front() : run.states.back(), query);
     if (query.kind == Kind::Tests) return testsOf(scene, run.states.back(), query.name);
+    if (query.kind == Kind::Largest || query.kind == Kind::Smallest)
+        return extremeOf(valuesThatCount(run, valuesAtTicks(scene, run, query.quantity)), query.kind == Kind::Largest);
     const std::optional<double> time =
         query.when ? timeOf(courseOf(scene, run, query.when->of), *query.when) : endOf(run);
     if (!time || query.kind == Kind::Time || query.kind == Kind::Duration) return time;
-    return readingAt(courseOf(scene, run, query.quantity), run, query.kind, *time);
+    return readingAt(courseOf(scene, run, query.quantity), query.kind, *time);
 }
 
 std::string unitOf(const Scene& scene, const AnswerQuery& query) {

@@ -19,23 +19,23 @@ double largestSize(const std::vector<double>& numbers) {
     return most;
 }
 
-/// Within the step after a tick. share: of the step, 0 to 1.
-double within(const Course& c, std::size_t tick, double share) {
-    const double a = c.value[tick], b = c.value[tick + 1], s = share;
+/// Between a moment and the next. share: of the time between, 0 to 1.
+double within(const Course& c, std::size_t i, double share) {
+    const double a = c.value[i], b = c.value[i + 1], s = share;
     if (c.slope.empty()) return a + (b - a) * s;
-    const double da = c.slope[tick] * c.dt, db = c.slope[tick + 1] * c.dt;
+    const double length = c.time[i + 1] - c.time[i], da = c.slope[i] * length, db = c.slope[i + 1] * length;
     return a + s * (da + s * (3 * (b - a) - 2 * da - db + s * (2 * (a - b) + da + db)));
 }
 
-/// Where it passes a level between a tick and the next, by halving: it is on different sides at both.
-double passes(const Course& c, std::size_t tick, double level) {
-    const bool isUp = c.value[tick + 1] > c.value[tick];
+/// Where it passes a level between a moment and the next, by halving: it is on different sides at both.
+double passes(const Course& c, std::size_t i, double level) {
+    const bool isUp = c.value[i + 1] > c.value[i];
     double low = 0, high = 1;
-    for (int i = 0; i < 50; ++i) {
+    for (int step = 0; step < 50; ++step) {
         const double middle = 0.5 * (low + high);
-        ((within(c, tick, middle) < level) == isUp ? low : high) = middle;
+        ((within(c, i, middle) < level) == isUp ? low : high) = middle;
     }
-    return (static_cast<double>(tick) + low) * c.dt;
+    return c.time[i] + low * (c.time[i + 1] - c.time[i]);
 }
 
 /// The times at which it passes a level: it came from one side, and is on the other, or on the level.
@@ -47,8 +47,7 @@ std::vector<double> passages(const Course& c, double level) {
         const double off = c.value[i] - level;
         if (std::isnan(off)) continue;
         const int now = std::abs(off) <= near ? 0 : off > 0 ? 1 : -1;
-        if (side != 0 && now != side)
-            times.push_back(now == 0 ? static_cast<double>(i) * c.dt : passes(c, i - 1, level));
+        if (side != 0 && now != side) times.push_back(now == 0 ? c.time[i] : passes(c, i - 1, level));
         side = now;
     }
     return times;
@@ -61,18 +60,21 @@ std::vector<double> entries(const Course& c, double level, bool above) {
     for (std::size_t i = 0; i < c.value.size(); ++i) {
         if (std::isnan(c.value[i])) continue;
         const bool is = above ? c.value[i] > level : c.value[i] < level;
-        if (is && !was) times.push_back(isFirst ? static_cast<double>(i) * c.dt : passes(c, i - 1, level));
+        if (is && !was) times.push_back(isFirst ? c.time[i] : passes(c, i - 1, level));
         was = is;
         isFirst = false;
     }
     return times;
 }
 
-/// A slope at each tick: where none is known, that from the tick before to the tick after.
+/// A slope at each moment: where none is known, that from the moment before to the one after.
 std::vector<double> slopesOf(const Course& c) {
     if (!c.slope.empty()) return c.slope;
     std::vector<double> slopes(c.value.size(), 0);
-    for (std::size_t i = 1; i + 1 < c.value.size(); ++i) slopes[i] = (c.value[i + 1] - c.value[i - 1]) / (2 * c.dt);
+    for (std::size_t i = 1; i + 1 < c.value.size(); ++i) {
+        const double length = c.time[i + 1] - c.time[i - 1];
+        slopes[i] = length > 0 ? (c.value[i + 1] - c.value[i - 1]) / length : 0;
+    }
     return slopes;
 }
 
@@ -86,8 +88,7 @@ std::vector<double> extremes(const Course& c, bool maxima) {
     for (std::size_t i = 0; i < slopes.size(); ++i) {
         const double slope = maxima ? slopes[i] : -slopes[i];
         if (!(std::abs(slope) > least)) continue;
-        if (before > 0 && slope < 0)
-            times.push_back((static_cast<double>(at) + static_cast<double>(i - at) * before / (before - slope)) * c.dt);
+        if (before > 0 && slope < 0) times.push_back(c.time[at] + (c.time[i] - c.time[at]) * before / (before - slope));
         before = slope;
         at = i;
     }
@@ -97,10 +98,11 @@ std::vector<double> extremes(const Course& c, bool maxima) {
 }  // namespace
 
 double valueAt(const Course& course, double time) {
-    const double ticks = std::clamp(time / course.dt, 0.0, static_cast<double>(course.value.size() - 1));
-    const auto tick = static_cast<std::size_t>(ticks);
-    const double share = ticks - static_cast<double>(tick);
-    return share > 0 ? within(course, tick, share) : course.value[tick];
+    const auto after = std::ranges::lower_bound(course.time, time);
+    if (after == course.time.end()) return course.value.back();
+    const auto i = static_cast<std::size_t>(after - course.time.begin());
+    if (i == 0 || time == *after) return course.value[i];
+    return within(course, i - 1, (time - course.time[i - 1]) / (*after - course.time[i - 1]));
 }
 
 std::optional<double> timeOf(const Course& course, const Happening& event) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When does something happen to a quantity that is known at ticks only?
+// When does something happen to a quantity that is known at moments only?
 #pragma once
 #include <optional>
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace plumb::compare {
 
-/// A quantity through a run. Between two ticks it is the cubic with the values and slopes of both (Hermite), or a line
-/// where slopes are not known. Values that are not numbers are passed over.
+/// A quantity through a run. Between two moments it is the cubic with the values and slopes of both (Hermite), or a
+/// line where slopes are not known. Values that are not numbers are passed over.
 struct Course {
-    double dt = 0;                ///< [s]
-    std::vector<double> value{};  ///< [tick]
-    std::vector<double> slope{};  ///< [tick] its rate of change; empty: not known [1/s]
+    std::vector<double> time{};   ///< [moment], never falls; two that are equal: a jump [s]
+    std::vector<double> value{};  ///< [moment]
+    std::vector<double> slope{};  ///< [moment] its rate of change; empty: not known [1/s]
 };
 
-/// At a time within the run.
+/// At a time within the run; at a jump, just before it.
 double valueAt(const Course& course, double time);
 
 /// When it happens [s]; none if it does not within the run.

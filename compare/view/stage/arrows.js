@@ -107,15 +107,26 @@ function drawArrows(context, camera, view, engine) {
             if (name && Math.hypot(dx, dy) >= 4)
                 labels.push([`${say(name)} ${quantity(Math.hypot(...vector), "N")}`, from[0] + dx, from[1] - dy, dx]);
         }
-        if (engine !== guideOf(view) || labels.length > MOST_NAMES) continue;
-        for (const label of labels) drawArrowName(context, view.theme, ...label);
+        if (engine === guideOf(view) && labels.length <= MOST_NAMES) drawArrowNames(context, camera, view.theme, labels);
     }
 }
 
-function drawArrowName(context, theme, name, x, y, dx) {
+/// Each at the tip of its arrow, or a line or more below, where no other stands; on the stage.
+function drawArrowNames(context, camera, theme, labels) {
     context.save();
-    const side = dx < 0 ? -1 : 1;
-    labelOnPaper(context, {...theme, text: 0.85 * theme.text}, name, x + 6 * side, y, side < 0 ? "right" : "left");
+    const text = 0.85 * theme.text, line = 1.15 * text, taken = [];
+    context.font = `${text}px ${theme.font}`;
+    for (const [name, tipX, tipY, dx] of labels) {
+        const side = dx < 0 ? -1 : 1, width = context.measureText(name).width;
+        const x = tipX + 6 * side, left = side < 0 ? x - width : x;
+        const meets = (y) => taken.some((other) => Math.abs(other.y - y) < line &&
+            other.left < left + width + 2 && left < other.left + other.width + 2);
+        let y = Math.min(Math.max(tipY, camera.margins.top + line), camera.height - camera.margins.bottom - line);
+        const way = y > camera.height - camera.margins.bottom - 3 * line ? -1 : 1;
+        for (let tries = 0; tries < labels.length && meets(y); ++tries) y += way * line;
+        taken.push({left, width, y});
+        labelOnPaper(context, {...theme, text}, name, x, y, side < 0 ? "right" : "left");
+    }
     context.restore();
 }
 

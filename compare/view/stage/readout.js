@@ -19,7 +19,8 @@ function stateBetween(scene, engine, frame, body, s) {
     if (!a.pose || !b.pose || isAround(scene, a.pose, b.pose)) return null;
     const h = scene.times[frame + 1] - scene.times[frame];
     const time = scene.times[frame] + s * h;
-    if (!a.velocity || !b.velocity) {
+    // Where steps are counted, as those of a search, they are not the moments of one flight.
+    if (scene.countsSteps || !a.velocity || !b.velocity) {
         return {time, x: a.pose.x + s * (b.pose.x - a.pose.x), y: a.pose.y + s * (b.pose.y - a.pose.y), velocity: null};
     }
     const part = (name, i) => hermite(s, h, [a.pose[name], a.velocity[i]], [b.pose[name], b.velocity[i]]);
@@ -58,6 +59,7 @@ function momentsOf(scene, engine, body) {
     const kept = engine.moments.get(body);
     if (kept?.ticks === engine.ticks) return kept.moments;
     const moments = [];
+    if (scene.countsSteps) return moments;
     const g = Math.hypot(...scene.gravity);
     const up = g > 0 ? scene.gravity.map((part) => -part / g) : null;
     for (let frame = 0; frame + 1 < scene.times.length && moments.length < 60; ++frame) {
@@ -113,7 +115,7 @@ function momentAt(view, px, py) {
 function momentLines(scene, {engine, body, name, time, x, y, velocity}) {
     const where = `x ${rulerText(x, "m")}   y ${rulerText(y, "m")}`;
     const lines = [`${say(lookOf(engine.name).label)}: ${say(scene.bodies[body].name)}${name ? `, ${say(name)}` : ""}`,
-        `t ${numberText(time.toFixed(4))}${NO_BREAK}s   ${where}`];
+        scene.countsSteps ? where : `t ${numberText(time.toFixed(4))}${NO_BREAK}s   ${where}`];
     if (velocity) lines.push(`v ${quantity(Math.hypot(...velocity), "m/s", 4)}   ` +
         `(${velocity.map((part) => withDigits(part, 4)).join(", ")})${NO_BREAK}m/s`);
     return lines;

@@ -91,6 +91,7 @@ class LessonPage {
         this.startRuns(faults);
         byId("refused").textContent = faults.join("; ");
         this.view.scene = this.scene;
+        this.scene.countsSteps = this.lesson.countsSteps;
         this.isMeasured = false;
         this.advance();
     }
