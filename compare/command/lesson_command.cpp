@@ -4,23 +4,17 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 
 #include <compare/command/output_file.h>
 #include <compare/lesson/lesson_run.h>
+#include <compare/scene/json_reader.h>
 #include <compare/scene/json_text.h>
+#include <compare/scene/scene_file.h>
 
 namespace plumb::compare {
 namespace {
-
-std::string textOfFile(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw std::runtime_error(fmt::format("lesson: cannot read {}", path));
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::string valueText(const std::optional<double>& value, const std::string& unit) {
     if (!value) return "–";
@@ -35,6 +29,8 @@ void print(const Lesson& lesson, const LessonResult& result, std::ostream& out) 
     fmt::print(out, "{}: {}\n  {}\n", lesson.name, lesson.title, result.question);
     for (const LessonNumber& number : result.numbers)
         fmt::print(out, "  {}: {}\n", number.query, valueText(number.value, number.unit));
+    if (!result.withoutClosedForm.empty())
+        fmt::print(out, "  the closed form does not run, so the next engine answers: {}\n", result.withoutClosedForm);
     fmt::print(out, "  because: {}\n", result.because);
     for (const WorseResult& worse : result.worse)
         fmt::print(out, "  worse: {}: {}\n", worse.title, worse.unsupported.empty() ? worse.says : worse.unsupported);
@@ -65,8 +61,10 @@ void runLessons(const Arguments& arguments, std::ostream& out) {
     if (arguments.json) json.emplace("--json", *arguments.json);
     Json data{{"schema", 1}, {"lessons", Json::array()}};
     for (const std::string& path : arguments.scenes) {
-        const Lesson lesson = lessonFromJson(textOfFile(path), path);
+        const std::string text = readText(path, "a lesson's JSON file");
+        const Lesson lesson = lessonFromJson(text, path);
         const LessonResult result = runLesson(lesson);
+        if (!result.fault.empty()) throw std::invalid_argument(withLine(parseJson(text, path), path, result.fault));
         print(lesson, result, out);
         data["lessons"].push_back(jsonOf(lesson, result));
     }

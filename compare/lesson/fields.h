@@ -27,6 +27,7 @@ void fields(auto& visit, OrConst<NumberPrediction> auto& x) {
     visit({"from", "the unit", Allowed::finite, "the least that may be said"}, x.from);
     visit({"to", "the unit", Allowed::finite, "the most that may be said"}, x.to);
     visit({"within", "-", Allowed::positive, "so near, as a share of the true value, is right"}, x.within);
+    visit({"tries", "", Allowed::any, "label of the control that takes what is said, before the run"}, x.tries);
 }
 void fields(auto& visit, OrConst<ChoicePrediction> auto& x) {
     visit(needed({"options", "", Allowed::any, "sentences, of which one holds"}, 2), x.options);

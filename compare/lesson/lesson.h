@@ -8,6 +8,7 @@
 
 #include <compare/scene/answer.h>
 #include <compare/scene/scene.h>
+#include <compare/scene/set_field.h>
 
 namespace plumb::compare {
 
@@ -24,6 +25,7 @@ struct NumberPrediction {
     std::string unit{};   ///< as it is printed
     double from = 0, to = 10;
     double within = 0.02;  ///< so near, as a share of the true value, is right [-]
+    std::string tries{};   ///< label of the control that takes what is said, before the run; "": none
 };
 
 /// One of several sentences.
@@ -97,6 +99,9 @@ Lesson lessonFromJson(std::string_view text, const std::string& file);
 
 /// The lesson as JSON, with all fields but the scene.
 std::string toJson(const Lesson& lesson);
+
+/// Reads each "PATH=VALUE".
+std::vector<FieldSetting> settingsOf(const std::vector<std::string>& texts);
 
 /// The queries between braces of a text, or between < and > of a formula: what stands before each, and it. The last
 /// part has no query. field: its name in messages.

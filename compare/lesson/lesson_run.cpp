@@ -7,6 +7,7 @@
 #include <compare/check/answer.h>
 #include <compare/check/verdict.h>
 #include <compare/engine/engine.h>
+#include <compare/scene/named.h>
 #include <compare/scene/set_field.h>
 
 namespace plumb::compare {
@@ -38,22 +39,29 @@ std::string filled(Scene scene, const Observation& run, const Observation& truth
     return answerOf(scene, run, measure(scene, run, run.role == Role::Truth ? nullptr : &truth, nullptr));
 }
 
-/// The runs of the lesson's own engines, that say what is true: the first that knows an answer counts. The closed form
-/// comes first, then the engine under test.
+/// The runs of the lesson's own engines, which say what is true: the first that knows an answer counts. The closed form
+/// comes first, if it is named, then the engine under test.
 class Truths {
 public:
-    explicit Truths(const Lesson& lesson) : scene_(lesson.scene) {
+    explicit Truths(const Lesson& lesson) : scene_(lesson.scene), truth_(observed(scene_, {truthName()}).front()) {
         std::vector<std::string> names = lesson.engines;
-        std::ranges::stable_partition(names, [](const std::string& name) { return name == subjectName(); });
-        names.insert(names.begin(), truthName());
+        for (const std::string& first : {subjectName(), truthName()})
+            std::ranges::stable_partition(names, [&](const std::string& name) { return name == first; });
         for (const std::string& name : names)
             for (Observation& run : observed(scene_, {name})) runs_.push_back(std::move(run));
+    }
+
+    /// Why the closed form does not run, though it is named.
+    std::string withoutClosedForm() const {
+        for (const Observation& run : runs_)
+            if (run.role == Role::Truth) return run.unsupported;
+        return "";
     }
 
     std::optional<double> valueOf(const AnswerQuery& query) const {
         for (const Observation& run : runs_) {
             if (run.states.empty()) continue;
-            const std::optional<double> value = valueIn(scene_, run, runs_.front(), query);
+            const std::optional<double> value = valueIn(scene_, run, truth_, query);
             if (value && std::isfinite(*value)) return value;
         }
         return {};
@@ -72,6 +80,7 @@ public:
 
 private:
     const Scene& scene_;
+    Observation truth_;
     std::vector<Observation> runs_{};
 };
 
@@ -105,9 +114,7 @@ std::vector<std::string> queriesOf(const Lesson& lesson) {
 
 WorseResult resultOf(const Lesson& lesson, const WorseCase& worse) {
     WorseResult result{.title = worse.title, .engine = worse.engine};
-    std::vector<FieldSetting> settings;
-    for (const std::string& text : worse.set) settings.push_back(fieldSettingOf(text));
-    const Scene scene = withFields(lesson.scene, settings);
+    const Scene scene = withFields(lesson.scene, settingsOf(worse.set));
     const std::vector<Observation> runs = observed(scene, {worse.engine});
     if (runs.empty()) result.unsupported = "this build does not have it";
     if (runs.empty()) return result;
@@ -120,6 +127,17 @@ WorseResult resultOf(const Lesson& lesson, const WorseCase& worse) {
     return result;
 }
 
+/// Is there a true number, and can it be said?
+std::string faultOf(const Lesson& lesson, const LessonResult& result) {
+    const auto* predict = std::get_if<NumberPrediction>(&lesson.predict);
+    if (!predict) return "";
+    const LessonNumber& number = result.numbers.front();
+    if (!number.value) return "predict.number.value: " + quoted(predict->value) + " does not happen in the run";
+    if (*number.value >= predict->from && *number.value <= predict->to) return "";
+    return "predict.number." + std::string(*number.value < predict->from ? "from" : "to") + ": the true value is " +
+           valueText(*number.value, number.unit) + ", wanted one between from and to";
+}
+
 }  // namespace
 
 LessonResult runLesson(const Lesson& lesson) {
@@ -130,6 +148,8 @@ LessonResult runLesson(const Lesson& lesson) {
         result.numbers.push_back({text, truths.valueOf(query), unitOf(lesson.scene, query)});
     }
     for (const WorseCase& worse : lesson.worse) result.worse.push_back(resultOf(lesson, worse));
+    result.withoutClosedForm = truths.withoutClosedForm();
+    result.fault = faultOf(lesson, result);
     result.question = truths.filled(lesson.question);
     result.because = truths.filled(lesson.because);
     for (const LessonQuestion& question : lesson.questions)

@@ -31,6 +31,8 @@ struct LessonResult {
     std::vector<WorseResult> worse{};
     std::string question{}, because{};
     std::vector<std::string> asked{}, answers{};  ///< its questions
+    std::string withoutClosedForm{};  ///< why the closed form does not run, though the lesson names it; empty: it runs
+    std::string fault{};  ///< "predict.number.to: ...": why what is predicted cannot be judged; empty: it can
 };
 
 /// Runs the lesson's engines and those of its worse cases.

@@ -164,10 +164,12 @@ private:
 
     void then(const std::string& wanted) {
         if (takes(wanted)) return;
+        if (word() == "end") refuse("answer", compare::quoted(text_) + " is read at the end without \"at end\"");
         if (wanted == "start")
             refuse("answer", compare::quoted(word()) + " in " + compare::quoted(text_) +
                                  " is no event: a time that is written down is wrong as soon as a value is changed");
-        refuse("answer", compare::quoted(text_) + " wants " + compare::quoted(wanted) + " there");
+        const std::string hint = wanted == "when" ? ", as in \"time when first maximum of y of ball\"" : "";
+        refuse("answer", compare::quoted(text_) + " wants " + compare::quoted(wanted) + " there" + hint);
     }
 
     std::string known(const std::vector<std::string>& names, const std::string& what) {

@@ -88,12 +88,13 @@ test('each lesson is predicted wrong and right, run, paused, stepped back and ex
         assert.equal(await page.getAttribute('#judged', 'data-right'), String(isRight), say + await page.textContent('#judged'));
         await page.click('#again');
       }
+      if (lesson.predict.number?.tries) await page.click('#reset');
       await page.click('#show');
       await known(page);
       const numbers = told.get(lesson.name).numbers.map(({ query, value }) => [query, value]);
       const shown = await page.evaluate(queries => queries.map(query => lessonPage.values.truth(lessonPage.scene, query).value), numbers.map(([query]) => query));
       numbers.forEach(([query, value], i) => assert.ok(shown[i] === value || Math.abs(shown[i] - value) <= 1e-9 * Math.max(1, Math.abs(value)), `${say}${query}: ${shown[i]}, the command says ${value}`));
-      assert.equal(await page.locator('.katex-error').count(), 0, say);
+      assert.equal(await page.locator('#formula .refused').count(), 0, say);
       const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#files button').first().click()]);
       const csv = readFileSync(await download.path(), 'utf8').split('\n');
       assert.match(csv[0], /^t \[s\],/, say);
@@ -122,6 +123,28 @@ test('each worse engine is chosen by its box, runs, and says a sentence without 
         await page.locator('#worse input').nth(i).uncheck();
         await known(page);
       }
+    });
+  });
+});
+
+test('the angle that is said is tried in the run, and one that the control does not take is refused', { timeout: 60_000 }, async () => {
+  await served(async address => {
+    await openedLesson(address, 'firing', async page => {
+      const angle = page.locator('#controls .control', { hasText: 'Angle' }).locator('input[type="number"]');
+      const hits = () => page.evaluate(() => lessonPage.values.of(lessonPage.scene.engines.find(({ name }) => name === 'plumb'), 'probe hits').value);
+      for (const [said, hit] of [['36', 1], ['63.3', 1], ['50', 0]]) {
+        await page.fill('#said', said);
+        await page.click('#run');
+        await toTheEnd(page);
+        await known(page);
+        assert.equal(await angle.inputValue(), said);
+        assert.equal(await hits(), hit, said);
+        await page.click('#again');
+      }
+      await page.fill('#said', '99');
+      await page.click('#run');
+      assert.equal(await page.textContent('#refused'), 'Angle: 99 is not between 5 and 85');
+      assert.equal(await page.evaluate(() => document.body.dataset.known), 'no');
     });
   });
 });

@@ -105,24 +105,25 @@ function drawArrows(context, camera, view, engine) {
             const from = [camera.x(at[0]), camera.y(at[1])];
             drawArrow(context, from, [dx, -dy], filled);
             if (name && Math.hypot(dx, dy) >= 4)
-                labels.push([`${say(name)} ${quantity(Math.hypot(...vector), "N")}`, from[0] + dx, from[1] - dy, dx]);
+                labels.push([`${say(name)} ${quantity(Math.hypot(...vector), "N")}`, from[0] + dx, from[1] - dy, dx, dy]);
         }
         if (engine === guideOf(view) && labels.length <= MOST_NAMES) drawArrowNames(context, camera, view.theme, labels);
     }
 }
 
-/// Each at the tip of its arrow, or a line or more below, where no other stands; on the stage.
+/// Each at the tip of its arrow, or a line or more farther up or down, where no other stands; on the stage.
 function drawArrowNames(context, camera, theme, labels) {
     context.save();
     const text = 0.85 * theme.text, line = 1.15 * text, taken = [];
     context.font = `${text}px ${theme.font}`;
-    for (const [name, tipX, tipY, dx] of labels) {
+    for (const [name, tipX, tipY, dx, dy] of labels) {
         const side = dx < 0 ? -1 : 1, width = context.measureText(name).width;
         const x = tipX + 6 * side, left = side < 0 ? x - width : x;
         const meets = (y) => taken.some((other) => Math.abs(other.y - y) < line &&
             other.left < left + width + 2 && left < other.left + other.width + 2);
-        let y = Math.min(Math.max(tipY, camera.margins.top + line), camera.height - camera.margins.bottom - line);
-        const way = y > camera.height - camera.margins.bottom - 3 * line ? -1 : 1;
+        const bottom = camera.height - camera.margins.bottom - line;
+        let y = Math.min(Math.max(tipY, camera.margins.top + line), bottom);
+        const way = dy > 0 || y > bottom - 2 * line ? -1 : 1;
         for (let tries = 0; tries < labels.length && meets(y); ++tries) y += way * line;
         taken.push({left, width, y});
         labelOnPaper(context, {...theme, text}, name, x, y, side < 0 ? "right" : "left");

@@ -77,8 +77,8 @@ function plainQuestion(question) {
     return say(question).replace(/\{[^{}]*\}/g, "…");
 }
 
-/// Shows a lesson; where it cannot be shown, the menu, and why.
-function openLesson(live, json, wanted) {
+/// Shows a lesson; where it cannot be shown, the menu, and why. file: its name in messages.
+function openLesson(live, json, wanted, file = "lesson") {
     document.body.dataset.view = "lesson";
     byId("overview").hidden = true;
     byId("lesson").hidden = false;
@@ -89,7 +89,7 @@ function openLesson(live, json, wanted) {
         byId("all-lessons").href = `#lang=${languageNow}`;
         scrollTo(0, 0);
     } catch (error) {
-        showLessonMenu(live, error.message);
+        showLessonMenu(live, error.message.replace(/^lesson:/, () => `${file}:`));
     }
 }
 
@@ -107,8 +107,9 @@ async function openLessonAddress(live) {
     openLesson(live, JSON.stringify(found), wanted);
 }
 
-async function takeLesson(live, json) {
-    openLesson(live, json, {packed: await packedJson(json)});
+async function takeLesson(live, file) {
+    const json = await file.text();
+    openLesson(live, json, {packed: await packedJson(json)}, file.name);
 }
 
 function bindLessonGifts(live, bytes) {
@@ -139,7 +140,7 @@ function bindLessonGifts(live, bytes) {
     });
     byId("take-lesson").addEventListener("change", async ({target}) => {
         const [file] = target.files;
-        if (file) await takeLesson(live, await file.text());
+        if (file) await takeLesson(live, file);
         target.value = "";
     });
 }

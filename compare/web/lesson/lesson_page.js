@@ -197,6 +197,7 @@ class LessonPage {
             byId("judged").textContent = say("Say first what you expect.");
             return;
         }
+        if (!this.tried(said)) return;
         this.said = said;
         this.widget.lock(true);
         document.body.dataset.known = "run";
@@ -205,6 +206,14 @@ class LessonPage {
         this.player.seek(0);
         this.player.play();
         bringStageIntoView();
+    }
+
+    /// The run takes what was said, where the lesson has a control for it. False if that does not go.
+    tried(said) {
+        const label = this.lesson.predict.number?.tries;
+        if (!label) return true;
+        byId("refused").textContent = "";
+        return this.panel.take(say(label), said);
     }
 
     /// What is true is shown; said: what was predicted, or null.
@@ -289,7 +298,8 @@ class LessonPage {
     }
 
     showPanel() {
-        const controls = this.lesson.controls.map((control) => ({...control, label: say(control.label), meaning: ""}));
+        const controls = this.lesson.controls.map((control) => ({...control, label: say(control.label), meaning: "",
+            isBound: true}));
         this.panel.show([{title: say("This lesson"), controls, open: true}], this.exported(), this.runs.data.bodies);
     }
 
@@ -310,7 +320,8 @@ class LessonPage {
         byId("because").textContent = values.filled(scene, say(lesson.because));
         byId("formula-card").hidden = lesson.formula.length === 0;
         byId("formula").replaceChildren(...lesson.formula.map((line) => formulaElement(values.worked(scene, line))));
-        byId("source").textContent = scene.closedForm ? sayWith("Closed form: {0}", say(scene.closedForm.source)) : "";
+        const hasTruth = scene.running.some(({name}) => isTruth(name));
+        byId("source").textContent = hasTruth ? sayWith("Closed form: {0}", say(scene.closedForm.source)) : "";
         byId("numbers").replaceChildren(...lessonNumbersTable(values, scene, lesson));
         byId("questions").querySelectorAll(".answer-text").forEach((each, i) => {
             each.textContent = values.filled(scene, say(lesson.questions[i].answer));

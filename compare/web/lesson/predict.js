@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What does a person predict, and how near is it? A number, one of several sentences, or a curve that is drawn.
 
-/// "You said 8 m. It is 5 m: 60 % too much."
+/// "You said 8 m. It is 5 m: 60 % too much." With signs, "more" has two meanings: "0.3 m/s too high".
 function judgeNumber({number}, said, {value, unit}) {
     if (value === null) return {isRight: null, text: say("This does not happen in the run.")};
     const off = said - value, size = Math.abs(value) > 1e-9 ? Math.abs(value) : number.to - number.from;
@@ -9,9 +9,10 @@ function judgeNumber({number}, said, {value, unit}) {
     const share = Math.abs(off) / size;
     const told = valueText({value: said, unit}), is = valueText({value, unit});
     if (isRight) return {isRight, text: sayWith("Right: it is {0}. You said {1}.", is, told)};
-    const way = off > 0 ? "too much" : "too little";
+    const isPlain = value > 1e-9 && said >= 0;
+    const way = isPlain ? (off > 0 ? "too much" : "too little") : off > 0 ? "too high" : "too low";
     const percent = numberText(String(Number((100 * share).toPrecision(2))));
-    const far = Math.abs(value) > 1e-9 && share < 10 ? `${percent}${NO_BREAK}%` : valueText({value: Math.abs(off), unit});
+    const far = isPlain && share < 10 ? `${percent}${NO_BREAK}%` : valueText({value: Math.abs(off), unit});
     return {isRight, text: sayWith("You said {0}. It is {1}: yours is {2} {3}.", told, is, far, say(way))};
 }
 

@@ -61,10 +61,14 @@ class Values {
             valueText(engine ? this.of(engine, query) : this.truth(scene, query)));
     }
 
-    /// The formula in LaTeX, with true values; a negative one in parentheses. Its words are in the language of the page.
+    /// The formula in LaTeX, with true values; a negative one that is worked on is in parentheses. Its words are in the
+    /// language of the page.
     worked(scene, formula) {
         const said = formula.replace(/(\\text\{\s*)([^{}]*?)(\s*\})/g, (_, start, words, end) => start + say(words) + end);
-        return said.replace(/<([^<>]*)>/g, (_, query) => latexNumber(this.truth(scene, query).value));
+        return said.replace(/<([^<>]*)>/g, (found, query, at) => {
+            const {value} = this.truth(scene, query), number = latexNumber(value);
+            return value < 0 && !standsAlone(said.slice(0, at), said.slice(at + found.length)) ? `(${number})` : number;
+        });
     }
 }
 
@@ -81,7 +85,12 @@ function latexNumber(value) {
     if (value === null || !Number.isFinite(value)) return "\\text{–}";
     const text = workedText(value).replace(",", "{,}").replaceAll("−", "-")
         .replace(/×10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)/, (_, power) => `\\cdot 10^{${plainPower(power)}}`);
-    return value < 0 ? `(${text})` : text;
+    return text;
+}
+
+/// A number after "=" or at the start of a group needs no parentheses for its sign, unless it is raised to a power.
+function standsAlone(before, after) {
+    return /(^|=|\\approx|[{(,])\s*$/.test(before) && !/^\s*\^/.test(after);
 }
 
 function plainPower(power) {
@@ -95,6 +104,10 @@ function queriesIn(formula) {
 
 function formulaElement(latex) {
     const line = element("div", {class: "worked"});
-    katex.render(latex, line, {displayMode: true, throwOnError: false, output: "htmlAndMathml"});
+    try {
+        katex.render(latex, line, {displayMode: true, output: "htmlAndMathml"});
+    } catch (error) {
+        line.replaceChildren(element("span", {class: "refused"}, `${latex}: ${error.message}`));
+    }
     return line;
 }

@@ -208,14 +208,15 @@ class Panel {
             .map(({control, number}) => `${control.label} ${number.value} ${control.unit}`.trim()).join(", ");
     }
 
+    /// As if a person had written x in the row with this label. False if it is refused.
+    take(label, x) { return this.turn(this.rows.find(({control}) => control.label === label), x, true); }
+
     turn(row, x, isOver) {
-        const {control} = row;
-        const isTooSmall = control.as === "size" && x < 0;
-        if (!Number.isFinite(x) || isTooSmall) {
-            const why = isTooSmall ? "it is not negative; its direction is set below" : "a number is wanted";
+        const {control} = row, why = this.refusal(control, x);
+        if (why) {
             this.refuse(`${control.label}: ${why}`);
             row.number.value = row.slider.value;
-            return;
+            return false;
         }
         for (const path of control.set) this.turned.set(path, (this.turned.get(path) ?? new Set()).add(control.label));
         row.slider.value = x;
@@ -227,5 +228,14 @@ class Panel {
         const texts = control.set.map((each, i) => AS[control.as].text(x, i === 0 ? held : this.heldAt(each, held), control.about,
             this.angles.get(path)));
         this.change(control.set, texts, isOver);
+        return true;
+    }
+
+    /// Why a control does not take a number; "" if it does. isBound: its range is not only that of the slider.
+    refusal({as, isBound, from, to}, x) {
+        if (!Number.isFinite(x)) return say("a number is wanted");
+        if (as === "size" && x < 0) return say("it is not negative; its direction is set below");
+        if (isBound && (x < from || x > to)) return sayWith("{0} is not between {1} and {2}", x, from, to);
+        return "";
     }
 }

@@ -127,6 +127,72 @@ TEST_CASE("a lesson that is wrong is refused with its line, the field, the value
     CHECK(complaintOf(nothing) == "f:1: scene: is not given, wanted the name of a scene, or a scene");
 }
 
+TEST_CASE("a unit, a share or a brace that does not fit is refused, and what is predicted must happen in its range",
+          "[compare][lesson][errors]") {
+    CHECK(complaintWith("/predict/number/unit", "cm") ==
+          "f:1: predict.number.unit: \"cm\", but \"first maximum of y of ball\" is read in m");
+    CHECK(complaintWith("/predict/number/within", 3) ==
+          "f:1: predict.number.within: 3 is more than the whole: 0.03 is 3 per cent");
+    CHECK(complaintWith("/predict/number/tries", "Angle")
+              .starts_with("f:1: predict.number.tries: \"Angle\" is not the name of a control, there is none"));
+    CHECK(complaintWith("/because", "{y of ball and {x of ball}") == "f:1: because: a { is not closed");
+    CHECK(complaintWith("/because", "{y of ball at end}") ==
+          "f:1: because: answer: \"y of ball at end\" is read at the end without \"at end\"");
+    Json nothing = stone();
+    nothing.erase("predict");
+    CHECK(complaintOf(nothing) == "f:1: predict: is not given, wanted a number, a choice or a curve");
+
+    const auto faultWith = [](const Json& number) {
+        Json lesson = stone();
+        lesson["predict"]["number"].update(number);
+        return runLesson(lessonFromJson(lesson.dump(), "f")).fault;
+    };
+    CHECK(faultWith({{"from", 0}, {"to", 6}}).empty());
+    CHECK(faultWith({{"from", 0}, {"to", 4}}) ==
+          "predict.number.to: the true value is 5 m, wanted one between from and to");
+    CHECK(faultWith({{"value", "fifth maximum of y of ball"}}) ==
+          "predict.number.value: \"fifth maximum of y of ball\" does not happen in the run");
+}
+
+TEST_CASE("a control must fit what it sets, and a setting for one engine an engine that runs",
+          "[compare][lesson][errors]") {
+    const auto control = [](const Json& changes) {
+        Json given{{"label", "Speed"}, {"set", {"bodies.ball.velocity"}}, {"as", "y"}, {"from", 0}, {"to", 20}};
+        given.update(changes);
+        return complaintWith("/controls", Json::array({given}));
+    };
+    CHECK(control(Json::object()).empty());
+    CHECK(control({{"from", 30}}) == "f:1: controls[0].to: 20 is not above from, 30");
+    CHECK(control({{"step", 50}}) == "f:1: controls[0].step: 50 is more than from 0 to 20");
+    CHECK(control({{"to", 8}}) == "f:1: controls[0].to: 8 is below what the lesson begins with, 10");
+    CHECK(control({{"from", 11}}) == "f:1: controls[0].from: 11 is above what the lesson begins with, 10");
+    CHECK(control({{"as", "number"}})
+              .starts_with("f:1: controls[0].as: bodies.ball.velocity: holds [0.0,10.0], wanted x, y, size"));
+    CHECK(control({{"set", {"duration"}}})
+              .starts_with("f:1: controls[0].as: duration: holds 2.0, wanted a field that is a vector"));
+    CHECK(control({{"as", "direction"}, {"to", 180}}).empty());
+
+    CHECK(complaintWith("/worse/0/set/0", "plumb:gravity=0,-9") ==
+          "f:1: worse[0].set: \"plumb\" before the colon is no engine of it, which are explicit-euler");
+    CHECK(complaintWith("/worse/0/set/0", "explicit-euler:dt=1/5")
+              .starts_with("f:1: worse[0].set: engines.explicit-euler.dt: is the same for all engines"));
+    CHECK(complaintWith("/set/0", "box2d-2:gravity=0,-9")
+              .starts_with("f:1: set: \"box2d-2\" before the colon is no engine of it"));
+    CHECK(complaintWith("/scene", {{"name", "s"}, {"bodies", {{{"name", "a"}, {"positon", {0, 1}}}}}})
+              .starts_with("f:1: scene.bodies[0].positon: unknown field"));
+}
+
+TEST_CASE("a lesson that names the closed form says why that does not run", "[compare][lesson]") {
+    Json lesson = stone();
+    CHECK(runLesson(lessonFromJson(lesson.dump(), "f")).withoutClosedForm.empty());
+    lesson["scene"] = "stack_of_ten";
+    lesson["set"] = Json::array();
+    for (const char* field : {"formula", "worse"}) lesson[field] = Json::array();
+    lesson["because"] = lesson["questions"][0]["answer"] = "It stands.";
+    lesson["predict"] = {{"choice", {{"options", {"It stands.", "It falls."}}}}};
+    CHECK_FALSE(runLesson(lessonFromJson(lesson.dump(), "f")).withoutClosedForm.empty());
+}
+
 TEST_CASE("each lesson can be read, has three questions, under 80 lines, and a number for each query",
           "[compare][lesson]") {
     std::set<std::string> titles;
@@ -140,6 +206,8 @@ TEST_CASE("each lesson can be read, has three questions, under 80 lines, and a n
         CHECK(lesson.questions.size() == 3);
         CHECK_FALSE(lesson.slides.empty());
         const LessonResult result = runLesson(lesson);
+        CHECK(result.fault.empty());
+        CHECK(result.withoutClosedForm.empty());
         for (const LessonNumber& number : result.numbers) {
             INFO(number.query);
             CHECK(number.value);
@@ -156,6 +224,20 @@ TEST_CASE("the shortest lesson of the page is its example, and falls by 19.62 m"
     const std::string page = test::textOf(test::repository / "compare/lesson/README.md");
     CHECK(page.find("```json\n" + example + "```") != std::string::npos);
     CHECK(numberOf(runLesson(lessonFromJson(example, "f")), "drop of y of ball") == Approx(19.62).epsilon(1e-12));
+}
+
+TEST_CASE(
+    "the scene of one's own on the page can be read, and its ball rebounds to e^2 of its height in the closed form",
+    "[compare][lesson][house]") {
+    const std::string page = test::textOf(test::repository / "compare/lesson/README.md");
+    const std::size_t start = page.find("```json\n{\n  \"name\": \"drop\"") + 8;
+    Json lesson = stone();
+    lesson["scene"] = Json::parse(page.substr(start, page.find("```", start) - start));
+    for (const char* field : {"formula", "worse", "set"}) lesson[field] = Json::array();
+    lesson["because"] = "{first maximum of y of ball}";
+    const LessonResult result = runLesson(lessonFromJson(lesson.dump(), "f"));
+    CHECK(result.withoutClosedForm.empty());
+    CHECK(numberOf(result, "first maximum of y of ball") == Approx(0.2 + 0.8 * 0.8 * 1.8).epsilon(1e-9));
 }
 
 TEST_CASE("the page on lessons names each field, each number of an engine for lessons, and each kind of prediction",
