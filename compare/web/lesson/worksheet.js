@@ -17,11 +17,19 @@ function worksheetPicture(live) {
     return element("img", {src, alt: ""});
 }
 
-function predictionOnPaper({predict}) {
-    const {number, choice, curve} = predict;
+/// Axes to draw on, or with the true curve.
+function curveOnPaper(live, isTold) {
+    const {predict} = live.lesson;
+    const {pad} = curveWidget(element("div"), predict, live.scene.times, live.padRange());
+    if (isTold) pad.showTruth(live.scene.times, live.curveOf(predict.curve.value));
+    return pad.figure;
+}
+
+function predictionOnPaper(live) {
+    const {number, choice, curve} = live.lesson.predict;
     if (number) return [element("p", {}, `${say("Your prediction")}: ________________ ${SHOWN_UNITS[number.unit] ?? number.unit}`)];
     if (choice) return choice.options.map((text) => element("p", {class: "tick-box"}, say(text)));
-    return [element("p", {}, sayWith("Draw {0} over the time:", say(curve.label))), element("div", {class: "graph-paper"})];
+    return [element("p", {}, sayWith("Draw {0} over the time:", say(curve.label))), curveOnPaper(live, false)];
 }
 
 /// The values as they are set now.
@@ -34,10 +42,9 @@ function givenOnPaper(live) {
 function answersOnPaper(live) {
     const {lesson, values, scene} = live, {predict} = lesson;
     const truth = predict.number ? valueText(values.truth(scene, predict.number.value))
-        : predict.choice ? say(predict.choice.options[predict.choice.right - 1])
-        : say("The curve is on the page of the lesson.");
+        : predict.choice ? say(predict.choice.options[predict.choice.right - 1]) : curveOnPaper(live, true);
     return element("section", {class: "sheet-page"}, element("h1", {}, `${say(lesson.title)}: ${say("answers")}`),
-        element("h2", {}, values.filled(scene, say(lesson.question))), element("p", {}, truth),
+        element("h2", {}, values.filled(scene, say(lesson.question))), element("div", {class: "truth"}, truth),
         element("p", {}, values.filled(scene, say(lesson.because))),
         ...lesson.formula.map((line) => formulaElement(values.worked(scene, line))),
         element("ol", {}, ...lesson.questions.map(({ask, answer}) =>
@@ -53,7 +60,7 @@ function fillWorksheet(live) {
         element("section", {class: "sheet-page"},
             element("p", {class: "name-line"}, `${say("Name")} ______________________   ${say("Date")} ____________`),
             element("h1", {}, say(lesson.title)), element("p", {}, told(lesson.about)), worksheetPicture(live),
-            givenOnPaper(live), element("h2", {}, told(lesson.question)), ...predictionOnPaper(lesson),
+            givenOnPaper(live), element("h2", {}, told(lesson.question)), ...predictionOnPaper(live),
             element("p", {}, `${say("What the run shows")}: ________________`), element("ol", {}, ...asked)),
         answersOnPaper(live));
 }
