@@ -257,13 +257,13 @@ void FrameLoop::sweep(double dt) {
                 if ((!next || meeting.time < next->time) && approach(meeting)) next = meeting;
         });
         if (!next) return;
-        if (!firstImpact_) firstImpact_ = next->time;
         resolve(*next);
         for (const std::size_t body : {next->a, next->b}) goOn(body, next->time, dt);
     }
 }
 
 void FrameLoop::resolve(const Meeting& meeting) {
+    firstImpact_ = std::min(meeting.time, firstImpact_.value_or(1));
     Body &a = bodies_[meeting.a], &b = bodies_[meeting.b];
     const Material &ofA = a.def.shapes[meeting.shapeA].material, &ofB = b.def.shapes[meeting.shapeB].material;
     const ImpactLaw law{

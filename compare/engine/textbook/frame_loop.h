@@ -30,7 +30,7 @@ public:
     /// A frame takes dt [s].
     void advance(double dt);
     std::vector<BodyState> states() const;
-    /// The time of the first impact that the swept test found in the last frame, 0 to 1; none if there was none [-].
+    /// The time of the first impact in the last frame, as the test found it, 0 to 1; none if it found none [-].
     std::optional<double> firstImpact() const { return firstImpact_; }
 
 private:

@@ -9,7 +9,6 @@
 #include <compare/lab/builtin/parts.h>
 #include <compare/lab/lab.h>
 #include <plumb/broad/broad_phase.h>
-#include <plumb/collide/sweep.h>
 #include <plumb/record/forecast.h>
 #include <plumb/stepping/clock.h>
 
@@ -31,8 +30,9 @@ Lab convergence(const std::function<Engine(const Engine&)>& oneStep = withOneSub
 using PairFinder = std::function<PairSearch(BroadPhase sweep, std::span<const Aabb> boxes)>;
 Lab broadPhases(const PairFinder& find = findPairs);
 
-/// Does the test see that the bullet touches the window? The bullet moves through one frame; the window is at rest.
-using FrameTest = std::function<bool(const Shape& bullet, const Sweep& sweep, const Shape& window)>;
+/// Is the bullet seen to touch the window in one of so many frames? The scene has the window, which is fixed, and the
+/// bullet.
+using FrameTest = std::function<bool(const Scene& scene, int frames)>;
 struct FrameTests {
     FrameTest overlapAtEnd, bisection, swept;
 };

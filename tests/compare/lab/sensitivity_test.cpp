@@ -126,7 +126,7 @@ TEST_CASE("a swept test that looks at the ends only, and an overlap test that is
     CHECK(failing(runLab(bulletAndWindow(tests), {}, {})) ==
           Names{"overlap.off_expected", "overlap.missed_fastest", "bisection.differs_from_overlap"});
     tests = lectureTests();
-    tests.overlapAtEnd = [](const Shape&, const Sweep&, const Shape&) { return false; };
+    tests.overlapAtEnd = [](const Scene&, int) { return false; };
     CHECK(failing(runLab(bulletAndWindow(tests), {}, {})).contains("overlap.missed_below_safe_speed"));
 }
 
