@@ -8,6 +8,7 @@
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
 #include "catch.h"
+#include "compare/mover/complaint.h"
 
 using namespace plumb;
 using namespace plumb::compare;
@@ -27,15 +28,6 @@ std::string withMover(const std::string& mover) {
 {"name": "ball", "shapes": [{"circle": {}}]}],
 "movers": [{"name": "m", "body": "hero", )" +
            mover + "}]}";
-}
-
-std::string complaint(const std::string& text) {
-    try {
-        (void)fromJson(text, "f.json");
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 
 #include "catch.h"
 #include "compare/engine/simulators.h"
+#include "compare/mover/complaint.h"
 
 namespace plumb::compare {
 namespace {
@@ -136,15 +137,6 @@ std::string heroWith(const std::string& steer, const std::string& scene = "", co
            body + R"(", "steer": {)" + steer + "}}]}";
 }
 
-std::string refusalOf(const std::string& text) {
-    try {
-        (void)fromJson(text, "f.json");
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
-}
-
 }  // namespace
 
 TEST_CASE("each of eight behaviours goes in Plumb as the kit's own function has it, for 180 steps",
@@ -259,9 +251,9 @@ TEST_CASE("an agent that cannot be is refused by its field, its value and what w
           "[compare][movers][steering]") {
     const auto starts = [](const std::string& text, const std::string& refusal) {
         INFO(text);
-        CHECK_THAT(refusalOf(text), containsText("movers[0].steer" + refusal));
+        CHECK_THAT(complaint(text), containsText("movers[0].steer" + refusal));
     };
-    CHECK(refusalOf(heroWith(R"("target": "ball")")).empty());
+    CHECK(complaint(heroWith(R"("target": "ball")")).empty());
     starts(heroWith(""), ".target: is not given, wanted the name of a body; known are hero, crate, ball");
     starts(heroWith(R"("target": "bal")"), ".target: \"bal\" is not the name of a body, the nearest is ball");
     starts(heroWith(R"("target": "hero")"), ".target: \"hero\" is the body that steers, wanted another one");
