@@ -35,8 +35,9 @@ const openedLesson = (address, name, act, options = {}) => opened(`${address}les
     await act(page, context);
   });
 
-/** Opens these lessons one after the other on one page. */
-const eachLesson = (address, chosen, act) => openedLesson(address, chosen[0].name, async (page, context) => {
+/** Opens these lessons one after the other on three pages, which mostly wait for pictures. */
+const eachLesson = (address, chosen, act) => Promise.all([0, 1, 2].map(part => onePage(address, chosen.filter((_, i) => i % 3 === part), act)));
+const onePage = (address, chosen, act) => openedLesson(address, chosen[0].name, async (page, context) => {
   for (const lesson of chosen) {
     await page.evaluate(name => { location.hash = `#lesson=${name}&lang=en`; }, lesson.name);
     await page.waitForFunction(name => lessonPage.scene && lessonPage.lesson.name === name, lesson.name, { polling: 30 });
