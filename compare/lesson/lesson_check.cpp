@@ -73,9 +73,13 @@ void validate(const CurvePrediction& predict, const Lesson& lesson, const std::s
     requireShare(predict.within, field);
 }
 
-/// What a scene sets for one engine alone must be for one of these, and something that may differ.
-void requireOwnSettings(const Scene& scene, const std::vector<std::string>& engines, const std::string& field) {
-    for (const auto& [engine, values] : scene.engines) {
+/// What is set for one engine alone must be for one of these, and something that may differ. scene: with all settings.
+void requireOwnSettings(const Scene& scene, const std::vector<FieldSetting>& settings,
+                        const std::vector<std::string>& engines, const std::string& field) {
+    for (const FieldSetting& setting : settings) {
+        const std::size_t colon = setting.path.find(':');
+        if (colon == std::string::npos) continue;
+        const std::string engine = setting.path.substr(0, colon);
         if (std::ranges::find(engines, engine) == engines.end())
             refuse(field, quoted(engine) + " before the colon is no engine of it, which are " + listText(engines));
         inField(field, [&] { return sceneFor(engine, scene); });
@@ -88,10 +92,7 @@ void validateWorse(const Lesson& lesson, std::size_t index) {
     requireEngine(worse.engine, field + ".engine");
     const std::vector<FieldSetting> settings = inField(field + ".set", [&] { return settingsOf(worse.set); });
     const Scene scene = inField(field + ".set", [&] { return withFields(lesson.scene, settings); });
-    Scene own = lesson.scene;
-    own.engines.clear();
-    own = withFields(own, settings);
-    requireOwnSettings(own, {worse.engine}, field + ".set");
+    requireOwnSettings(scene, settings, {worse.engine}, field + ".set");
     (void)textParts(scene, worse.says, field + ".says");
 }
 
@@ -195,7 +196,7 @@ void validate(const Lesson& lesson) {
         inField(at("numbers", i) + ".value", [&] { return answerQuery(lesson.scene, lesson.numbers[i].value); });
     for (std::size_t i = 0; i < lesson.controls.size(); ++i)
         validateControl(lesson.scene, lesson.controls[i], at("controls", i));
-    requireOwnSettings(lesson.scene, enginesOf(lesson), "set");
+    requireOwnSettings(lesson.scene, settingsOf(lesson.set), enginesOf(lesson), "set");
     for (std::size_t i = 0; i < lesson.worse.size(); ++i) validateWorse(lesson, i);
     validateTexts(lesson);
 }
