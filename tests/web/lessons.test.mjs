@@ -144,7 +144,7 @@ test('the angle that is said is tried in the run, and one that the control does 
       }
       await page.fill('#said', '99');
       await page.click('#run');
-      assert.equal(await page.textContent('#refused'), 'Angle: 99 is not between 5 and 85');
+      assert.equal(await page.textContent('#judged'), 'Angle: 99 is not between 5 and 85');
       assert.equal(await page.evaluate(() => document.body.dataset.known), 'no');
     });
   });

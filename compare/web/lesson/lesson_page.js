@@ -211,9 +211,9 @@ class LessonPage {
     /// The run takes what was said, where the lesson has a control for it. False if that does not go.
     tried(said) {
         const label = this.lesson.predict.number?.tries;
-        if (!label) return true;
-        byId("refused").textContent = "";
-        return this.panel.take(say(label), said);
+        const fault = label ? this.panel.take(say(label), said) : "";
+        byId("judged").textContent = fault;
+        return fault === "";
     }
 
     /// What is true is shown; said: what was predicted, or null.

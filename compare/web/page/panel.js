@@ -208,15 +208,20 @@ class Panel {
             .map(({control, number}) => `${control.label} ${number.value} ${control.unit}`.trim()).join(", ");
     }
 
-    /// As if a person had written x in the row with this label. False if it is refused.
-    take(label, x) { return this.turn(this.rows.find(({control}) => control.label === label), x, true); }
+    /// As if a person had written x in the row with this label. Returns why it is refused; "" if it is taken.
+    take(label, x) {
+        const row = this.rows.find(({control}) => control.label === label), why = this.refusal(row.control, x);
+        if (why) return `${label}: ${why}`;
+        this.turn(row, x, true);
+        return "";
+    }
 
     turn(row, x, isOver) {
         const {control} = row, why = this.refusal(control, x);
         if (why) {
             this.refuse(`${control.label}: ${why}`);
             row.number.value = row.slider.value;
-            return false;
+            return;
         }
         for (const path of control.set) this.turned.set(path, (this.turned.get(path) ?? new Set()).add(control.label));
         row.slider.value = x;
@@ -228,7 +233,6 @@ class Panel {
         const texts = control.set.map((each, i) => AS[control.as].text(x, i === 0 ? held : this.heldAt(each, held), control.about,
             this.angles.get(path)));
         this.change(control.set, texts, isOver);
-        return true;
     }
 
     /// Why a control does not take a number; "" if it does. isBound: its range is not only that of the slider.
