@@ -138,6 +138,7 @@ std::string missingText(const Observation& run, const std::string& what) {
 }
 
 std::string missingText(const Observation& run, const Happening& event) {
+    if (event.kind == Happening::Kind::Impact) return missingText(run, event.of.body + " has no such impact");
     constexpr const char* what[] = {"has no such maximum", "has no such minimum", "does not return to {}",
                                     "does not come above {}", "does not come below {}"};  // as in Happening::Kind
     const std::string level = event.level ? fmt::format("{:.3g}", *event.level) : "where it was";

@@ -95,6 +95,13 @@ std::vector<double> extremes(const Course& c, bool maxima) {
     return times;
 }
 
+std::vector<double> jumps(const Course& c) {
+    std::vector<double> times;
+    for (std::size_t i = 1; i < c.time.size(); ++i)
+        if (c.time[i] == c.time[i - 1] && (times.empty() || times.back() < c.time[i])) times.push_back(c.time[i]);
+    return times;
+}
+
 }  // namespace
 
 double valueAt(const Course& course, double time) {
@@ -115,6 +122,7 @@ std::optional<double> timeOf(const Course& course, const Happening& event) {
         case Kind::Returns: times = passages(course, level); break;
         case Kind::IsAbove: times = entries(course, level, true); break;
         case Kind::IsBelow: times = entries(course, level, false); break;
+        case Kind::Impact: times = jumps(course); break;
     }
     const std::size_t which = event.which < 0 ? times.size() : static_cast<std::size_t>(event.which);
     if (which < 1 || which > times.size()) return {};

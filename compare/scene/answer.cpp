@@ -56,6 +56,8 @@ private:
         if (takes("time")) return {.kind = Kind::Time, .when = (then("when"), happening({}))};
         if (has(ordinals, word())) {
             const Happening extreme = happening({});
+            if (extreme.kind == Happening::Kind::Impact)
+                refuse("answer", compare::quoted(text_) + " is no number, as in \"time when " + text_ + "\"");
             return {.quantity = extreme.of, .when = extreme};
         }
         AnswerQuery query;
@@ -79,12 +81,20 @@ private:
             return passing(read);
         }
         read.which = ordinal();
+        if (takes("impact")) return impact(read, other);
         if (word() != "maximum" && word() != "minimum") {
             read.of = other;
             return passing(read, false);
         }
         read.kind = takes("maximum") ? Happening::Kind::Maximum : (then("minimum"), Happening::Kind::Minimum);
         read.of = takes("of") ? quantity(other.body) : other;
+        return read;
+    }
+
+    Happening impact(Happening read, const Reading& other) {
+        read.kind = Happening::Kind::Impact;
+        read.of.body = takes("of") ? known(namesOf(scene_.bodies), "a body") : other.body;
+        if (read.of.body.empty()) refuse("answer", compare::quoted(text_) + " does not say of which body");
         return read;
     }
 

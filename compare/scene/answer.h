@@ -22,7 +22,8 @@ struct Reading {
 /// Something that happens in a run. Where no number stands in it, it comes at another time in another scene: an answer
 /// that names events stays true when a value of the scene is changed.
 struct Happening {
-    enum class Kind { Maximum, Minimum, Returns, IsAbove, IsBelow, Start } kind = Kind::Start;
+    /// Impact: the velocity of the reading's body jumps within a step.
+    enum class Kind { Maximum, Minimum, Returns, IsAbove, IsBelow, Impact, Start } kind = Kind::Start;
     Reading of{};
     int which = 1;                  ///< 1 the first, 2 the second, ...; -1 the last
     std::optional<double> level{};  ///< of Returns, IsAbove and IsBelow; none: the quantity's at the start
@@ -39,8 +40,8 @@ struct AimReading {
 };
 
 /// The text between braces. QUANTITY is "y of ball" or "probe pull", HAPPENING one of "first maximum of QUANTITY",
-/// "QUANTITY first returns to 0", "QUANTITY last is above 2", "QUANTITY second is below start"; where it has no
-/// quantity, or no body, it is that of the query.
+/// "first impact of ball", "QUANTITY first returns to 0", "QUANTITY last is above 2", "QUANTITY second is below start";
+/// where it has no quantity, or no body, it is that of the query.
 ///   QUANTITY, QUANTITY at start, QUANTITY when HAPPENING    at the run's end, its start, at that moment
 ///   largest QUANTITY, smallest QUANTITY                     of all ticks
 ///   change of QUANTITY, drop of QUANTITY [when HAPPENING]   since the start

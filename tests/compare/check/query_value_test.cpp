@@ -68,6 +68,8 @@ TEST_CASE("an impact between two steps is read at its own time and place, with t
         REQUIRE(std::abs(value("time when y of disc first is below 1e-9") - hit) < 1e-8);
         REQUIRE(std::abs(value("vy of disc when y first is below 1e-9") + down) < 1e-6);
         REQUIRE(std::abs(value("x of disc when first minimum of y") - across * hit) < 1e-8);
+        REQUIRE(std::abs(value("time when first impact of disc") - hit) < 1e-8);
+        REQUIRE_FALSE(valueOf(scene, run, answerQuery(scene, "x of disc when second impact")));
     }
 }
 

@@ -36,8 +36,9 @@ std::string randomTable(Random& random) {
     static const std::string usual = "0123456789012345678901234567890123456789.,;\t \n\n\n\r\"#-+etxy[]sm";
     std::string text = random.integer(0, 1) == 0 ? "t,x,y\n" : "";
     for (int left = random.integer(0, 60); left > 0; --left)
-        text += random.integer(0, 19) == 0 ? static_cast<char>(random.integer(0, 255))
-                                           : usual[static_cast<std::size_t>(random.integer(0, 62))];
+        text += random.integer(0, 19) == 0
+                    ? static_cast<char>(random.integer(0, 255))
+                    : usual[static_cast<std::size_t>(random.integer(0, static_cast<int>(usual.size()) - 1))];
     return text;
 }
 
