@@ -66,7 +66,7 @@ Course courseOf(const Scene& scene, const Observation& run, const Reading& quant
         for (std::size_t i = 0; i < course.value.size(); ++i) course.time.push_back(static_cast<double>(i) * run.dt);
         return course;
     }
-    for (const Sample& sample : samplesOf(run, bodyIndex(scene, quantity.body))) {
+    for (const Sample& sample : samplesOf(scene, run, bodyIndex(scene, quantity.body))) {
         course.time.push_back(sample.time);
         course.value.push_back(valueIn(sample.state, quantity.value));
         if (const auto slope = slopeIn(sample.state, quantity.value)) course.slope.push_back(*slope);

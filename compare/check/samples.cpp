@@ -52,8 +52,9 @@ std::optional<double> jumpIn(const StepOfBody& step) {
 
 }  // namespace
 
-std::vector<Sample> samplesOf(const Observation& run, std::size_t body) {
+std::vector<Sample> samplesOf(const Scene& scene, const Observation& run, std::size_t body) {
     std::vector<Sample> samples;
+    const bool mayHit = scene.bodies[body].def.type == BodyType::Dynamic;
     const std::size_t count = run.states.size();
     const auto at = [&](std::size_t tick) -> const BodyState& { return run.states[tick][body]; };
     // Of the step after a tick.
@@ -62,7 +63,7 @@ std::vector<Sample> samplesOf(const Observation& run, std::size_t body) {
     };
     for (std::size_t i = 0; i < count; ++i) {
         samples.push_back({static_cast<double>(i) * run.dt, at(i)});
-        if (i == 0 || i + 2 >= count) continue;  // no step on both sides
+        if (!mayHit || i == 0 || i + 2 >= count) continue;  // of the first and the last step nothing stands beside
         const StepOfBody step{.start = at(i),
                               .end = at(i + 1),
                               .length = run.dt,

@@ -16,7 +16,8 @@ struct Sample {
 
 /// The states of a body at the ticks, and two more at each impact within a step: just before it, and just after. An
 /// impact is where the velocity jumps and does not in the steps beside. It lies where the flight before and the flight
-/// after meet, each with the acceleration of the step beside it. Where they do not meet, nothing is added.
-std::vector<Sample> samplesOf(const Observation& run, std::size_t body);
+/// after meet, each with the acceleration of the step beside it. Where they do not meet, nothing is added; nor for a
+/// body that is moved tick by tick, whose velocity is that of its way in a tick.
+std::vector<Sample> samplesOf(const Scene& scene, const Observation& run, std::size_t body);
 
 }  // namespace plumb::compare

@@ -5,11 +5,11 @@
 
 #include <compare/engine/engine.h>
 #include <compare/lesson/fields.h>
-#include <compare/lesson/in_field.h>
 #include <compare/lesson/lesson_check.h>
 #include <compare/scene/bench.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/crowd.h>
+#include <compare/scene/in_field.h>
 #include <compare/scene/json_reader.h>
 #include <compare/scene/json_value.h>
 #include <compare/scene/json_writer.h>
@@ -50,36 +50,12 @@ Scene sceneOf(const Lesson& lesson, Scene base) {
     return scene;
 }
 
-std::vector<AnswerPart> partsBetween(char open, char close, const Scene& scene, const std::string& text,
-                                     const std::string& field) {
-    std::vector<AnswerPart> parts;
-    std::size_t start = 0;
-    for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, start)) {
-        const std::size_t end = text.find(close, at);
-        if (end == std::string::npos) refuse(field, std::string("a ") + open + " is not closed");
-        const std::string inside = text.substr(at + 1, end - at - 1);
-        if (inside.find(open) != std::string::npos) refuse(field, std::string("a ") + open + " is not closed");
-        parts.push_back({text.substr(start, at - start), inField(field, [&] { return answerQuery(scene, inside); })});
-        start = end + 1;
-    }
-    parts.push_back({text.substr(start), {}});
-    return parts;
-}
-
 }  // namespace
 
 std::vector<FieldSetting> settingsOf(const std::vector<std::string>& texts) {
     std::vector<FieldSetting> settings;
     for (const std::string& text : texts) settings.push_back(fieldSettingOf(text));
     return settings;
-}
-
-std::vector<AnswerPart> textParts(const Scene& scene, const std::string& text, const std::string& field) {
-    return partsBetween('{', '}', scene, text, field);
-}
-
-std::vector<AnswerPart> formulaParts(const Scene& scene, const std::string& formula, const std::string& field) {
-    return partsBetween('<', '>', scene, formula, field);
 }
 
 Lesson lessonFromJson(std::string_view text, const std::string& file) {

@@ -103,9 +103,7 @@ std::string toJson(const Lesson& lesson);
 /// Reads each "PATH=VALUE".
 std::vector<FieldSetting> settingsOf(const std::vector<std::string>& texts);
 
-/// The queries between braces of a text, or between < and > of a formula: what stands before each, and it. The last
-/// part has no query. field: its name in messages.
-std::vector<AnswerPart> textParts(const Scene& scene, const std::string& text, const std::string& field);
-std::vector<AnswerPart> formulaParts(const Scene& scene, const std::string& formula, const std::string& field);
+/// Between which a query stands in a formula: braces are LaTeX's.
+inline constexpr Marks formulaMarks{'<', '>'};
 
 }  // namespace plumb::compare

@@ -11,7 +11,7 @@
 #include <compare/engine/engine.h>
 #include <compare/engine/engine_settings.h>
 #include <compare/lesson/fields.h>
-#include <compare/lesson/in_field.h>
+#include <compare/scene/in_field.h>
 #include <compare/scene/json_text.h>
 #include <compare/scene/named.h>
 #include <compare/scene/set_field.h>
@@ -25,7 +25,7 @@ void requireEngine(const std::string& name, const std::string& field) {
 
 /// A curve or a chart is of a quantity: "y of ball".
 void requireQuantity(const Scene& scene, const std::string& text, const std::string& field) {
-    const AnswerQuery query = inField(field, [&] { return answerQuery(scene, text); });
+    const AnswerQuery query = answerQuery(scene, text, field);
     if (query.kind != AnswerQuery::Kind::Value || query.when)
         refuse(field, quoted(text) + " is no quantity over time, as y of ball is");
 }
@@ -37,7 +37,7 @@ bool isOfTheWhole(const std::string& chart) {
 
 /// The unit is that of the query, as it is written on a page: "°" for degrees.
 void requireUnit(const Scene& scene, const std::string& query, const std::string& unit, const std::string& field) {
-    std::string wanted = unitOf(scene, inField(field + ".value", [&] { return answerQuery(scene, query); }));
+    std::string wanted = unitOf(scene, answerQuery(scene, query, field + ".value"));
     if (wanted == "-") wanted = "";
     if (unit == wanted || (unit == "°" && wanted == "deg") || (unit == "m/s²" && wanted == "m/s^2")) return;
     refuse(field + ".unit", quoted(unit) + ", but " + quoted(query) + " is read " +
@@ -93,7 +93,7 @@ void validateWorse(const Lesson& lesson, std::size_t index) {
     const std::vector<FieldSetting> settings = inField(field + ".set", [&] { return settingsOf(worse.set); });
     const Scene scene = inField(field + ".set", [&] { return withFields(lesson.scene, settings); });
     requireOwnSettings(scene, settings, {worse.engine}, field + ".set");
-    (void)textParts(scene, worse.says, field + ".says");
+    (void)answerParts(scene, worse.says, field + ".says");
 }
 
 bool isVector(ShownAs as) {
@@ -122,6 +122,20 @@ double shownOf(double value, ShownAs as) {
     }
 }
 
+/// As which number a control shows what its first path holds; none for one engine's own number, which a scene may leave
+/// out. The path must hold what SceneControl::as reads.
+std::optional<double> shownBy(const Scene& scene, const SceneControl& control) {
+    const std::string& path = control.set.front();
+    if (path.find(':') != std::string::npos) return {};
+    const Json held = Json::parse(textAt(scene, path));
+    const bool isPair = held.is_array() && held.size() == 2 && held[0].is_number() && held[1].is_number();
+    if (isPair != isVector(control.as))
+        refuse(path, "holds " + held.dump() + ", wanted " +
+                         (isPair ? "x, y, size, direction or hanging, as it is a vector" : "a field that is a vector"));
+    if (isPair) return shownOf(Vec2(held[0].get<double>(), held[1].get<double>()) - control.about, control.as);
+    return shownOf(numberAt(scene, path), control.as);
+}
+
 void validateControl(const Scene& scene, const SceneControl& control, const std::string& field) {
     // A path that does not exist is found by reading its value.
     for (const std::string& path : control.set)
@@ -145,15 +159,15 @@ void validateTexts(const Lesson& lesson) {
                                                                 {"because", &lesson.because}};
     for (const auto& [field, text] : texts) {
         if (text->empty()) refuse(field, "is not given");
-        (void)textParts(lesson.scene, *text, field);
+        (void)answerParts(lesson.scene, *text, field);
     }
     for (std::size_t i = 0; i < lesson.formula.size(); ++i)
-        (void)formulaParts(lesson.scene, lesson.formula[i], at("formula", i));
+        (void)answerParts(lesson.scene, lesson.formula[i], at("formula", i), formulaMarks);
     if (lesson.questions.empty()) refuse("questions", "there is none, wanted at least one");
     for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
         if (lesson.questions[i].ask.empty()) refuse(at("questions", i) + ".ask", "is not given");
-        (void)textParts(lesson.scene, lesson.questions[i].ask, at("questions", i) + ".ask");
-        (void)textParts(lesson.scene, lesson.questions[i].answer, at("questions", i) + ".answer");
+        (void)answerParts(lesson.scene, lesson.questions[i].ask, at("questions", i) + ".ask");
+        (void)answerParts(lesson.scene, lesson.questions[i].answer, at("questions", i) + ".answer");
     }
 }
 
@@ -164,18 +178,6 @@ std::vector<std::string> enginesOf(const Lesson& lesson) {
 }
 
 }  // namespace
-
-std::optional<double> shownBy(const Scene& scene, const SceneControl& control) {
-    const std::string& path = control.set.front();
-    if (path.find(':') != std::string::npos) return {};
-    const Json held = Json::parse(textAt(scene, path));
-    const bool isPair = held.is_array() && held.size() == 2 && held[0].is_number() && held[1].is_number();
-    if (isPair != isVector(control.as))
-        refuse(path, "holds " + held.dump() + ", wanted " +
-                         (isPair ? "x, y, size, direction or hanging, as it is a vector" : "a field that is a vector"));
-    if (isPair) return shownOf(Vec2(held[0].get<double>(), held[1].get<double>()) - control.about, control.as);
-    return shownOf(numberAt(scene, path), control.as);
-}
 
 void validate(const Lesson& lesson) {
     const bool isName = !lesson.name.empty() && std::ranges::all_of(lesson.name, [](unsigned char c) {
@@ -193,7 +195,7 @@ void validate(const Lesson& lesson) {
         if (!isOfTheWhole(lesson.charts[i].value))
             requireQuantity(lesson.scene, lesson.charts[i].value, at("charts", i) + ".value");
     for (std::size_t i = 0; i < lesson.numbers.size(); ++i)
-        inField(at("numbers", i) + ".value", [&] { return answerQuery(lesson.scene, lesson.numbers[i].value); });
+        (void)answerQuery(lesson.scene, lesson.numbers[i].value, at("numbers", i) + ".value");
     for (std::size_t i = 0; i < lesson.controls.size(); ++i)
         validateControl(lesson.scene, lesson.controls[i], at("controls", i));
     requireOwnSettings(lesson.scene, settingsOf(lesson.set), enginesOf(lesson), "set");

@@ -47,8 +47,12 @@ public:
         std::vector<std::string> names = lesson.engines;
         for (const std::string& first : {subjectName(), truthName()})
             std::ranges::stable_partition(names, [&](const std::string& name) { return name == first; });
-        for (const std::string& name : names)
-            for (Observation& run : observed(scene_, {name})) runs_.push_back(std::move(run));
+        for (const std::string& name : names) {
+            if (name == truthName())
+                runs_.push_back(truth_);
+            else
+                for (Observation& run : observed(scene_, {name})) runs_.push_back(std::move(run));
+        }
     }
 
     /// Why the closed form does not run, though it is named.
@@ -69,7 +73,7 @@ public:
     /// The text with true numbers.
     std::string filled(const std::string& text) const {
         std::string result;
-        for (const AnswerPart& part : textParts(scene_, text, "text")) {
+        for (const AnswerPart& part : answerParts(scene_, text, "text")) {
             result += part.text;
             if (!part.query) continue;
             const std::optional<double> value = valueOf(*part.query);
@@ -84,30 +88,29 @@ private:
     std::vector<Observation> runs_{};
 };
 
-/// The texts between marks, in the order in which they come.
-void collect(char open, char close, const std::string& text, std::vector<std::string>& queries) {
-    for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, at + 1)) {
-        const std::string inside = text.substr(at + 1, text.find(close, at) - at - 1);
-        if (std::ranges::find(queries, inside) == queries.end()) queries.push_back(inside);
-    }
-}
-
 std::optional<std::string> predictedQuery(const Lesson& lesson) {
     const auto* number = std::get_if<NumberPrediction>(&lesson.predict);
     return number ? std::optional(number->value) : std::nullopt;
 }
 
+/// Each once, in the order in which they come.
 std::vector<std::string> queriesOf(const Lesson& lesson) {
     std::vector<std::string> queries;
-    if (const auto query = predictedQuery(lesson)) queries.push_back(*query);
-    for (const LessonValue& number : lesson.numbers)
-        if (std::ranges::find(queries, number.value) == queries.end()) queries.push_back(number.value);
-    for (const std::string& line : lesson.formula) collect('<', '>', line, queries);
-    collect('{', '}', lesson.question, queries);
-    collect('{', '}', lesson.because, queries);
+    const auto add = [&](const std::string& query) {
+        if (std::ranges::find(queries, query) == queries.end()) queries.push_back(query);
+    };
+    const auto addFrom = [&](const std::string& text, Marks marks = {}) {
+        for (const AnswerPart& part : answerParts(lesson.scene, text, "text", marks))
+            if (part.query) add(part.asked);
+    };
+    if (const auto query = predictedQuery(lesson)) add(*query);
+    for (const LessonValue& number : lesson.numbers) add(number.value);
+    for (const std::string& line : lesson.formula) addFrom(line, formulaMarks);
+    addFrom(lesson.question);
+    addFrom(lesson.because);
     for (const LessonQuestion& question : lesson.questions) {
-        collect('{', '}', question.ask, queries);
-        collect('{', '}', question.answer, queries);
+        addFrom(question.ask);
+        addFrom(question.answer);
     }
     return queries;
 }
@@ -120,10 +123,10 @@ WorseResult resultOf(const Lesson& lesson, const WorseCase& worse) {
     if (runs.empty()) return result;
     result.unsupported = runs.front().unsupported;
     if (runs.front().states.empty()) return result;
+    const Observation truth = observed(scene, {truthName()}).front();
     if (const auto query = predictedQuery(lesson))
-        result.value = valueIn(scene, runs.front(), observed(scene, {truthName()}).front(), answerQuery(scene, *query));
-    const std::vector<Observation> truths = observed(scene, {truthName()});
-    result.says = filled(scene, runs.front(), truths.front(), worse.says);
+        result.value = valueIn(scene, runs.front(), truth, answerQuery(scene, *query));
+    result.says = filled(scene, runs.front(), truth, worse.says);
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <compare/scene/in_field.h>
 #include <compare/scene/named.h>
 #include <compare/scene/scene.h>
 #include <compare/scene/set_field.h>
@@ -26,7 +27,8 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
 /// Reads the words between one pair of braces, one after the other.
 class QueryReader {
 public:
-    QueryReader(const Scene& scene, const std::string& text) : scene_(scene), text_(text) {
+    QueryReader(const Scene& scene, const std::string& text, const std::string& field)
+        : scene_(scene), text_(text), field_(field) {
         std::istringstream stream(text);
         for (std::string word; stream >> word;) words_.push_back(word);
     }
@@ -34,7 +36,7 @@ public:
     AnswerQuery read() {
         AnswerQuery query = readQuery();
         if (at_ < words_.size())
-            refuse("answer", compare::quoted(words_[at_]) + " in " + compare::quoted(text_) + " is not understood");
+            refuse(field_, compare::quoted(words_[at_]) + " in " + compare::quoted(text_) + " is not understood");
         return query;
     }
 
@@ -57,7 +59,7 @@ private:
         if (has(ordinals, word())) {
             const Happening extreme = happening({});
             if (extreme.kind == Happening::Kind::Impact)
-                refuse("answer", compare::quoted(text_) + " is no number, as in \"time when " + text_ + "\"");
+                refuse(field_, compare::quoted(text_) + " is no number, as in \"time when " + text_ + "\"");
             return {.quantity = extreme.of, .when = extreme};
         }
         AnswerQuery query;
@@ -94,7 +96,7 @@ private:
     Happening impact(Happening read, const Reading& other) {
         read.kind = Happening::Kind::Impact;
         read.of.body = takes("of") ? known(namesOf(scene_.bodies), "a body") : other.body;
-        if (read.of.body.empty()) refuse("answer", compare::quoted(text_) + " does not say of which body");
+        if (read.of.body.empty()) refuse(field_, compare::quoted(text_) + " does not say of which body");
         return read;
     }
 
@@ -126,13 +128,13 @@ private:
         if (takes("of"))
             read.body = known(namesOf(scene_.bodies), "a body");
         else if (body.empty())
-            refuse("answer", compare::quoted(text_) + " does not say of which body");
+            refuse(field_, compare::quoted(text_) + " does not say of which body");
         return read;
     }
 
     std::string field() {
-        if (at_ >= words_.size()) refuse("answer", compare::quoted(text_) + " ends too soon, wanted a field");
-        numberAt(scene_, words_[at_]);
+        if (at_ >= words_.size()) refuse(field_, compare::quoted(text_) + " ends too soon, wanted a field");
+        inField(field_, [&] { return numberAt(scene_, words_[at_]); });
         return words_[at_++];
     }
 
@@ -174,17 +176,17 @@ private:
 
     void then(const std::string& wanted) {
         if (takes(wanted)) return;
-        if (word() == "end") refuse("answer", compare::quoted(text_) + " is read at the end without \"at end\"");
+        if (word() == "end") refuse(field_, compare::quoted(text_) + " is read at the end without \"at end\"");
         if (wanted == "start")
-            refuse("answer", compare::quoted(word()) + " in " + compare::quoted(text_) +
-                                 " is no event: a time that is written down is wrong as soon as a value is changed");
+            refuse(field_, compare::quoted(word()) + " in " + compare::quoted(text_) +
+                               " is no event: a time that is written down is wrong as soon as a value is changed");
         const std::string hint = wanted == "when" ? ", as in \"time when first maximum of y of ball\"" : "";
-        refuse("answer", compare::quoted(text_) + " wants " + compare::quoted(wanted) + " there" + hint);
+        refuse(field_, compare::quoted(text_) + " wants " + compare::quoted(wanted) + " there" + hint);
     }
 
     std::string known(const std::vector<std::string>& names, const std::string& what) {
-        if (at_ >= words_.size()) refuse("answer", compare::quoted(text_) + " ends too soon, wanted " + what);
-        requireKnown(words_[at_], names, "answer", what);
+        if (at_ >= words_.size()) refuse(field_, compare::quoted(text_) + " ends too soon, wanted " + what);
+        requireKnown(words_[at_], names, field_, what);
         return words_[at_++];
     }
 
@@ -193,35 +195,41 @@ private:
         const std::string word = at_ < words_.size() ? words_[at_++] : "";
         const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (error != std::errc{} || rest != word.data() + word.size())
-            refuse("answer", compare::quoted(word) + " in " + compare::quoted(text_) + " is not a number");
+            refuse(field_, compare::quoted(word) + " in " + compare::quoted(text_) + " is not a number");
         return value;
     }
 
     const Scene& scene_;
     const std::string& text_;
+    const std::string& field_;  ///< in messages
     std::vector<std::string> words_;
     std::size_t at_ = 0;
 };
 
 }  // namespace
 
-std::vector<AnswerPart> answerParts(const Scene& scene) {
+std::vector<AnswerPart> answerParts(const Scene& scene, const std::string& text, const std::string& field,
+                                    Marks marks) {
     std::vector<AnswerPart> parts;
-    const std::string& text = scene.answer;
     std::size_t start = 0;
-    for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', start)) {
-        const std::size_t close = text.find('}', open);
-        if (close == std::string::npos) refuse("answer", "a { is not closed");
-        const std::string inside = text.substr(open + 1, close - open - 1);
-        parts.push_back({text.substr(start, open - start), QueryReader(scene, inside).read()});
+    for (std::size_t open = text.find(marks.open); open != std::string::npos; open = text.find(marks.open, start)) {
+        const std::size_t close = text.find(marks.close, open);
+        if (close == std::string::npos || text.find(marks.open, open + 1) < close)
+            refuse(field, std::string("a ") + marks.open + " is not closed");
+        const std::string asked = text.substr(open + 1, close - open - 1);
+        parts.push_back({text.substr(start, open - start), asked, answerQuery(scene, asked, field)});
         start = close + 1;
     }
-    parts.push_back({text.substr(start), {}});
+    parts.push_back({.text = text.substr(start)});
     return parts;
 }
 
-AnswerQuery answerQuery(const Scene& scene, const std::string& text) {
-    return QueryReader(scene, text).read();
+std::vector<AnswerPart> answerParts(const Scene& scene) {
+    return answerParts(scene, scene.answer, "answer");
+}
+
+AnswerQuery answerQuery(const Scene& scene, const std::string& text, const std::string& field) {
+    return QueryReader(scene, text, field).read();
 }
 
 std::string textOf(const Reading& quantity) {

@@ -79,18 +79,26 @@ struct AnswerQuery {
     AimReading aim{};
 };
 
-/// A text, and the query after it; the last part has no query.
+/// A text, and the query after it, also as it is written; the last part has no query.
 struct AnswerPart {
-    std::string text{};
+    std::string text{}, asked{};
     std::optional<AnswerQuery> query{};
 };
 
-/// Throws std::invalid_argument that names the part between braces if it is not understood, or if the scene does not
-/// have its body, probe or metric.
+/// Between which a query stands.
+struct Marks {
+    char open = '{', close = '}';
+};
+
+/// The queries of a text. Throws std::invalid_argument, "FIELD: ...", that names the part between the marks if it is
+/// not understood, or if the scene does not have its body, probe or metric.
+std::vector<AnswerPart> answerParts(const Scene& scene, const std::string& text, const std::string& field,
+                                    Marks marks = {});
+/// Those of the scene's own answer.
 std::vector<AnswerPart> answerParts(const Scene& scene);
 
 /// One such text. Throws in the same way.
-AnswerQuery answerQuery(const Scene& scene, const std::string& text);
+AnswerQuery answerQuery(const Scene& scene, const std::string& text, const std::string& field = "answer");
 
 /// "y of ball", "probe pull".
 std::string textOf(const Reading& quantity);

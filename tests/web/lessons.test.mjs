@@ -298,7 +298,7 @@ test('a lesson of one\'s own opens from its file, is in its link, and a wrong on
     await ready(page);
     await page.setInputFiles('#take-lesson', bad);
     await page.waitForFunction(() => document.getElementById('file-refused').textContent);
-    assert.match(await page.textContent('#file-refused'), /^wrong\.json:9: predict.number.value: answer: "z" is not the name of a value of a body/);
+    assert.match(await page.textContent('#file-refused'), /^wrong\.json:9: predict.number.value: "z" is not the name of a value of a body/);
     await page.setInputFiles('#take-lesson', good);
     await page.waitForFunction(() => document.body.dataset.view === 'lesson');
     assert.match(await page.textContent('#question'), /^How far does it fall in 2\ss\?$/);

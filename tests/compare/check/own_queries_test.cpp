@@ -110,7 +110,7 @@ TEST_CASE("a query that is not understood is refused by what was wanted there", 
               .starts_with("answer: \"targt\" is not the name of a body, the nearest "
                            "is target"));
     CHECK(complaint("tests by tree").starts_with("answer: \"tree\" is not the name of a broad phase"));
-    CHECK(complaint("field bodies.ball.velocity") == "bodies.ball.velocity: [20.0,0.0] is not a number");
+    CHECK(complaint("field bodies.ball.velocity") == "answer: bodies.ball.velocity: [20.0,0.0] is not a number");
     CHECK(complaint("field") == "answer: \"field\" ends too soon, wanted a field");
     CHECK(complaint("overlap of ball") == "answer: \"overlap of ball\" wants \"and\" there");
 }

@@ -103,14 +103,14 @@ TEST_CASE("a lesson that is wrong is refused with its line, the field, the value
               .starts_with("f:1: engines[1]: \"closed_form\" is not the name of "
                            "an engine, the nearest is closed-form"));
     CHECK(complaintWith("/predict/number/value", "first maximum of z of ball")
-              .starts_with("f:1: predict.number.value: answer: \"z\" is not the name of a value of a body"));
+              .starts_with("f:1: predict.number.value: \"z\" is not the name of a value of a body"));
     CHECK(complaintWith("/predict", {{"choice", {{"options", {"a", "b"}}, {"right", 3}}}}) ==
           "f:1: predict.choice.right: 3 is not one of the options, from 1 to 2");
     CHECK(complaintWith("/predict", {{"curve", {{"label", "l"}, {"value", "first maximum of y of ball"}}}}) ==
           "f:1: predict.curve.value: \"first maximum of y of ball\" is no quantity over time, as y of ball is");
     CHECK(complaintWith("/because", "It is {y of ball") == "f:1: because: a { is not closed");
     CHECK(complaintWith("/formula/0", "<y of bal>")
-              .starts_with("f:1: formula[0]: answer: \"bal\" is not the name of a "
+              .starts_with("f:1: formula[0]: \"bal\" is not the name of a "
                            "body, the nearest is ball"));
     CHECK(complaintWith("/worse/0/engine", "euler")
               .starts_with("f:1: worse[0].engine: \"euler\" is not the name of an "
@@ -137,7 +137,7 @@ TEST_CASE("a unit, a share or a brace that does not fit is refused, and what is 
               .starts_with("f:1: predict.number.tries: \"Angle\" is not the name of a control, there is none"));
     CHECK(complaintWith("/because", "{y of ball and {x of ball}") == "f:1: because: a { is not closed");
     CHECK(complaintWith("/because", "{y of ball at end}") ==
-          "f:1: because: answer: \"y of ball at end\" is read at the end without \"at end\"");
+          "f:1: because: \"y of ball at end\" is read at the end without \"at end\"");
     Json nothing = stone();
     nothing.erase("predict");
     CHECK(complaintOf(nothing) == "f:1: predict: is not given, wanted a number, a choice or a curve");

@@ -93,6 +93,18 @@ TEST_CASE("a pendulum of 1 m that swings by 5 mm to 5 cm swings on for a minute"
     }
 }
 
+TEST_CASE("a box that begins to slide slowly slides on, however long the step", "[dynamics][sleep]") {
+    for (const double length : {0.1, 0.25, 0.5, 0.75, 1.0}) {
+        const double steep = std::atan(0.5) + 0.1 * std::numbers::pi / 180, g = 9.81;
+        World world({.gravity = {g * std::sin(steep), -g * std::cos(steep)}});
+        world.add({.type = BodyType::Static, .shapes = {box({5000, 1}, {.friction = 0.5})}});
+        const BodyId crate = world.add({.position = {0, 1.25}, .shapes = {box({0.5, 0.25}, {.friction = 0.5})}});
+        for (double time = 0; time < 10; time += length) world.step(length);
+        INFO("steps of " << length << " s");
+        CHECK(world.body(crate).awake());
+    }
+}
+
 TEST_CASE("a stone that stops in the air when a step ends flies on, however long the step", "[dynamics][sleep]") {
     const double gravity = 9.81;
     for (const double length : {1.0 / 60, 0.1, 0.25, 0.5, 0.75, 1.0}) {

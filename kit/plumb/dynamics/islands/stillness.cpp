@@ -19,6 +19,9 @@ constexpr double leastGain = 1e-3;
 constexpr double noise = 5e-6;
 /// Of the speed that a body has gained, it must lose all but this share to count as still [-].
 constexpr double shareKept = 0.1;
+/// A drive that moves a body at this share of sleepSpeed runs, even if it is slow for its target [-]. What presses
+/// against a wall is slower: its jitter is below a hundredth.
+constexpr double runningShare = 0.05;
 
 /// Does no body that can move touch the body, and is none joined to it?
 bool isAlone(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body) {
@@ -82,6 +85,9 @@ bool hasGained(StillWatch& watch, const BodyMotion& motion, double radius, const
 
 bool countStillness(BodyStore& bodies, const ContactStore& contacts, const JointStore& joints,
                     const SolverSettings& settings, double dt) {
+    // One look shows no rest, however long the step: a stone at the top of its way is still, too. To see that a body
+    // gains speed takes three.
+    const double counted = std::min(dt, 0.25 * settings.sleepTime);
     bool anyReady = false;
     for (const BodyIndex body : bodies.awake) {
         BodyRecord& record = bodies.record[body];
@@ -94,27 +100,18 @@ bool countStillness(BodyStore& bodies, const ContactStore& contacts, const Joint
         if (record.stillTime == 0) {
             watch = {};
             startPart(watch, bodies.motion[body]);
-            // One look shows no rest, however long the step: a stone at the top of its way is still, too.
-            record.stillTime = std::min(dt, 0.5 * settings.sleepTime);
+            record.stillTime = counted;
             const double speed = bodies.motion[body].velocity.norm();
             if (speed > 0.5 * settings.sleepSpeed && swings(bodies, contacts, joints, body)) watch.gained = speed;
         } else {
             const auto alone = [&] { return isAlone(bodies, contacts, joints, body); };
             const bool gained = hasGained(watch, bodies.motion[body], record.boundingRadius, settings, dt, alone);
-            record.stillTime = gained ? dt : record.stillTime + dt;
+            record.stillTime = gained ? counted : record.stillTime + counted;
         }
         anyReady = anyReady || record.stillTime >= settings.sleepTime;
     }
     return anyReady;
 }
-
-namespace {
-
-/// A drive that moves a body at this share of sleepSpeed runs, even if it is slow for its target [-]. What presses
-/// against a wall is slower: its jitter is below a hundredth.
-constexpr double runningShare = 0.05;
-
-}  // namespace
 
 bool isCarried(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body) {
     const auto carries = [&bodies](BodyIndex other) {
