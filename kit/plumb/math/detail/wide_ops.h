@@ -4,6 +4,7 @@
 #pragma once
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #elif defined(__wasm_simd128__)
@@ -67,7 +68,8 @@ inline typename LanesOf<W, T>::Type loadLanes(const T* from) {
 }
 template <class V, class T>
 inline void storeLanes(T* to, const V& v) {
-    std::memcpy(to, &v, sizeof v);
+    typedef V Lanes __attribute__((aligned(alignof(T))));
+    *reinterpret_cast<Lanes*>(to) = v;
 }
 
 /// Correctly rounded (IEEE 754), so the same everywhere.
