@@ -78,11 +78,12 @@ const JointSolver& islandSolver() {
 /// Here, so that a program which locks a body links the code of joints, and another one does not.
 Lock::Lock(bool locked) : solver_(locked ? &islandSolver() : nullptr) {}
 
-/// The hinges' impulses go to their records first: so a hinge that gets another place in a sweep keeps its first guess.
+/// The impulses of swept joints go to their records first: so a joint that gets another place in a sweep keeps its
+/// first guess.
 void IslandSolver::findIslands() {
     JointStore& joints = *stores_.joints;
     if (!std::exchange(joints.changed, false)) return;
-    for (const JointIsland& island : islands_.islands) island.hinges.release(joints);
+    for (const JointIsland& island : islands_.islands) island.sweptJoints.release(joints);
     resetLoads(joints, *stores_.bodies);
     findJointIslands(islands_, joints, *stores_.bodies);
     islands_.joints.clear();
@@ -105,9 +106,9 @@ std::size_t IslandSolver::begin(JointStores stores, StepList<BodyIndex>& solved)
         stores_.joints->loads[index] = {};
         stores_.joints->loads[index].time = dt_;
     }
-    for (JointIsland& island : islands_.islands)
-        island.hinges.prepare(hingeSolver(stores_.settings.lanes), *stores_.bodies);
     shareSprings(islands_, *stores_.joints, *stores_.bodies, stores_.h);
+    for (JointIsland& island : islands_.islands)
+        island.sweptJoints.prepare(sweptKernel(stores_.settings.lanes), *stores_.joints, *stores_.bodies);
     bounces_.take(stores_, islands_.islands);
     loadBatches();
     contacts_.find(stores_, islands_.islands);
@@ -196,11 +197,6 @@ void IslandSolver::loadBatches() {
     if (islands_.batches.size() < cut.size()) islands_.batches.resize(islands_.islands.size());
     for (std::size_t i = 0; i < cut.size(); ++i)
         islands_.batches[i].load(cut[i], *stores_.joints, *stores_.bodies, stores_.h);
-    islands_.sweptBatches.resize(islands_.swept.size());
-    for (std::size_t i = 0; i < islands_.swept.size(); ++i) {
-        JointIsland* alone = &islands_.swept[i];
-        islands_.sweptBatches[i].load({&alone, 1}, *stores_.joints, *stores_.bodies, stores_.h);
-    }
 }
 
 /// Batch by batch, so that its numbers stay in the cache: a batch of eight dolls has 180 KB. A rain of dolls took 0.6
@@ -227,11 +223,9 @@ IslandTurn IslandSolver::turnOf(const HalfStep& half) const {
     return {stores_.h, half.correct, false, stores_.settings.contactPushSpeed};
 }
 
-/// The bodies of swept islands have been moved by their records.
 void IslandSolver::move() {
     for (JointBatch& batch : moving_)
         batch.move(*stores_.bodies, stores_.h, stores_.settings.contactPushSpeed, stores_.observer);
-    for (JointBatch& batch : islands_.sweptBatches) batch.noteMoves();
 }
 
 /// Calls change(), and reports to the observer how it changed the momentum of some bodies: only fixed bodies can give
@@ -244,31 +238,19 @@ void IslandSolver::reportGround(const std::vector<BodyIndex>& bodies, Change&& c
     stores_.observer->noteGround(momentumOf(*stores_.bodies, bodies) - before);
 }
 
-/// Islands that are swept are solved joint by joint, with soft corrections: first their hinges, from velocities without
-/// the hinges' own impulses, which so need not be kept, then other joints, with the same softness. Where a soft hinge
-/// takes back a part of its old impulse, their rows have a compliance.
+/// Islands that are swept are solved joint by joint, with soft corrections.
 void IslandSolver::sweep(const HalfStep& half) {
     const Softness soft =
         half.correct ? softness(jointFrequencyShare / stores_.h, jointDampingRatio, stores_.h) : Softness{};
-    const float fastest = static_cast<float>(stores_.settings.contactPushSpeed);
-    const SolverBodies bodies = stores_.bodies->solverBodies();
-    for (JointIsland& island : islands_.islands)
-        if (island.isSwept())
-            reportGround(island.bodies, [&] {
-                island.hinges.solve(hingeSolver(stores_.settings.lanes), bodies,
-                                    {static_cast<float>(stores_.h), half.correct, fastest, soft});
-            });
-    IslandTurn turn = turnOf(half);
-    double compliance = 0;
-    if (half.correct) {
-        turn.share = static_cast<double>(soft.biasRate) * stores_.h;
-        compliance = static_cast<double>(soft.impulseScale / soft.massScale);
+    const SweptPass pass{static_cast<float>(stores_.h), half.correct,
+                         static_cast<float>(stores_.settings.contactPushSpeed), soft};
+    for (JointIsland& island : islands_.islands) {
+        if (!island.isSwept()) continue;
+        reportGround(island.bodies, [&] {
+            island.sweptJoints.solve(sweptKernel(stores_.settings.lanes), *stores_.bodies, pass, stores_.observer);
+        });
+        markBodies(island.bodies.data(), island.bodies.size(), stores_.bodies->solverBodies());
     }
-    for (JointBatch& batch : islands_.sweptBatches)
-        reportGround(batch.islands().front()->bodies,
-                     [&] { batch.sweep(*stores_.bodies, turn, compliance, stores_.observer); });
-    for (const JointIsland& island : islands_.islands)
-        if (island.isSwept()) markBodies(island.bodies.data(), island.bodies.size(), bodies);
 }
 
 void IslandSolver::solve(const HalfStep& half) {
@@ -292,9 +274,8 @@ void IslandSolver::end(FunctionRef<void(BodyIndex, const BodyMove*)> store) {
         batch.pull(*stores_.bodies);
         batch.store(*stores_.joints, *stores_.bodies);
     }
-    for (JointBatch& batch : islands_.sweptBatches) batch.store(*stores_.joints, *stores_.bodies);
     for (const JointIsland& island : islands_.islands) {
-        island.hinges.addLoads(*stores_.joints);
+        island.sweptJoints.addLoads(*stores_.joints);
         for (std::size_t node = 0; node < island.bodies.size(); ++node) {
             if (island.isSwept()) {
                 store(island.bodies[node], nullptr);

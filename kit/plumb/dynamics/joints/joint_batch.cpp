@@ -128,30 +128,6 @@ LaneFlags JointBatch::respondToContacts(BodyStore& bodies, const IslandTurn& tur
     return touched;
 }
 
-void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, double compliance, StepObserver* observer) {
-    const IslandKernel& kernel = *numbers.kernel;
-    IslandLanes& view = numbers.view;
-    pull(bodies);
-    if (turn.correct) kernel.noteSpeeds(view);
-    setFreeVelocities();
-    numbers.heavy = {};  // contacts see the bodies of a swept machine as they are
-    kernel.guess(view, 0);
-    kernel.prepare(view, turn);
-    // Where an error is removed at the most allowed speed, the joint must not give: else a load opens it for ever.
-    double most = 0;
-    for (std::size_t i = 0; i < numbers.layout->rows.size(); ++i)
-        most = std::max(most, numbers.layout->rows[i].holds ? std::fabs(numbers.row(i, RowField::Coordinate, 0))
-                                                            : numbers.errorOf(i, 0));
-    const bool isLimited = most * turn.rate * turn.share > turn.fastest;
-    view.compliance = (isLimited ? 0 : compliance) + (numbers.layout->isTree ? 0 : relativeCompliance);
-    kernel.solve(view);
-    noteStates();
-    kernel.accept(view);
-    kernel.addLoads(view);
-    if (observer != nullptr) reportRows(numbers, *observer);
-    writeVelocities(numbers, bodies);
-}
-
 void JointBatch::closeGaps(BodyStore& bodies, std::size_t lane, double h, double fastest) {
     numbers.kernel->setMasses(numbers.view, h);
     setFreeVelocities();

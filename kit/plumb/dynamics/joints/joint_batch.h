@@ -52,10 +52,6 @@ public:
     /// By a sub-step of h [s]; fastest: speed at which gaps are closed at most [m/s].
     void move(BodyStore& bodies, double h, double fastest, StepObserver* observer);
 
-    /// Of a joint that is swept: its bodies have other joints, too, which are in other batches. compliance: of rows
-    /// that hold, in addition [-].
-    void sweep(BodyStore& bodies, const IslandTurn& turn, double compliance, StepObserver* observer);
-
     // Of one island:
     /// By how much impulses together would change the velocities of these bodies, with the joints' response.
     void respond(std::size_t lane, std::span<BodyPush> pushes);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which joints are connected through bodies, and so are solved together?
 #pragma once
-#include <plumb/dynamics/joints/hinge_sweep.h>
-#include <plumb/dynamics/joints/joint_store.h>
-#include <plumb/dynamics/joints/lanes/island_layout.h>
+#include <plumb/dynamics/joints/swept_joints.h>
 
 namespace plumb {
 
@@ -29,7 +27,7 @@ struct JointIsland {
     std::shared_ptr<const IslandLayout> layout;
     JointBatch* batch = nullptr;  ///< in this step, if it is not swept
     std::size_t lane = 0;
-    HingeSweep hinges;  ///< used when swept: its plain hinges
+    SweptJoints sweptJoints;  ///< used when swept
 
     bool isSwept() const { return layout->isSwept; }
     BodyIndex bodyAt(std::size_t node) const {

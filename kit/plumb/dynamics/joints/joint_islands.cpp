@@ -35,9 +35,12 @@ public:
                                          [this](BodyIndex body) { return bodies_.record[body].inverseInertia > 0; });
         island.layout = layouts.find(static_cast<std::uint32_t>(island.bodies.size()), static_cast<std::uint32_t>(all),
                                      allTurn, laid);
-        if (!island.isSwept()) island.laid = std::move(laid);
-        for (std::uint32_t j = 0; j < island.laid.size(); ++j)
-            if (island.laid[j].form.hasSpring()) island.sprung.push_back(j);
+        for (std::uint32_t j = 0; j < laid.size(); ++j)
+            if (laid[j].form.hasSpring()) island.sprung.push_back(j);
+        if (island.isSwept())
+            island.sweptJoints.take(island.joints, laid, joints_, bodies_);
+        else
+            island.laid = std::move(laid);
         for (const std::vector<BodyIndex>* some : {&island.bodies, &island.held})
             for (const BodyIndex body : *some) nodeOf_[body] = none;
     }
@@ -142,7 +145,7 @@ std::size_t JointIslands::bytes() const {
     std::size_t bytes = bytesOf(joints) + bytesOf(breakable) + bytesOf(alike) + layouts.bytes() + bytesOf(islands);
     for (const JointIsland& island : islands)
         bytes += bytesOf(island.joints) + bytesOf(island.laid) + bytesOf(island.sprung) + bytesOf(island.held) +
-                 bytesOf(island.bodies) + bytesOf(island.stiffness) + island.hinges.bytes();
+                 bytesOf(island.bodies) + bytesOf(island.stiffness) + island.sweptJoints.bytes();
     for (const std::vector<std::uint32_t>& group : alike) bytes += bytesOf(group);
     for (const JointBatch& batch : batches) bytes += sizeof(JointBatch) + batch.bytes();
     return bytes;
@@ -153,18 +156,11 @@ void findJointIslands(JointIslands& found, JointStore& joints, const BodyStore& 
     IslandsBefore before(std::move(found.islands), joints, bodies.record.size());
     found.islands = islandsOf(joints, bodies);
     Numbering numbering(joints, bodies);
-    found.swept.clear();
     for (JointIsland& island : found.islands) {
         if (before.takeOver(island)) continue;
         numbering.number(island, found.layouts);
         before.keepStiffness(island);
         for (const JointIndex joint : island.joints) joints[joint].edited = false;
-        if (!island.isSwept()) continue;
-        for (const JointIndex other : island.hinges.take(island.joints, joints, bodies)) {
-            JointIsland& alone = found.swept.emplace_back();
-            alone.joints = {other};
-            numbering.number(alone, found.layouts);
-        }
     }
     groupAlike(found);
 }

@@ -13,11 +13,9 @@ namespace plumb {
 struct JointIslands {
     std::vector<JointIsland> islands;               ///< in the order of their first joints
     std::vector<std::vector<std::uint32_t>> alike;  ///< numbers of those that are not swept, for each layout
-    std::vector<JointIsland> swept;                 ///< other joints than hinges of swept islands, each as an island
     std::vector<JointBatch> batches;                ///< in this step; its islands keep pointers to them
-    std::size_t batchCount = 0;                     ///< those in use for islands that are not swept
+    std::size_t batchCount = 0;                     ///< those in use
     std::size_t meeting = 0;                        ///< the first of these: the others meet no contact in this step
-    std::vector<JointBatch> sweptBatches;           ///< of each swept joint
     std::vector<JointIndex> joints;                 ///< of all islands, in the order of their slots
     std::vector<JointIndex> breakable;              ///< those of the joints that can break
     IslandLayouts layouts;

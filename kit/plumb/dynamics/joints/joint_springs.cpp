@@ -33,27 +33,30 @@ double effectiveInverseMass(const BodyStore& bodies, BodyIndex body, const Vec3&
 
 /// Do the springs only turn bodies? Then their part in the bodies' inverse inertia does not change from step to step.
 bool onlyTurns(const JointIsland& island) {
-    return std::all_of(island.sprung.begin(), island.sprung.end(),
-                       [&](std::uint32_t j) { return island.laid[j].form.springsOnlyTurn(); });
+    return !island.isSwept() && std::all_of(island.sprung.begin(), island.sprung.end(),
+                                            [&](std::uint32_t j) { return island.laid[j].form.springsOnlyTurn(); });
 }
 
 /// Calls visit(joint, its form) for each joint with springs.
 template <class Visit>
-void forEachSprung(const StepList<JointIsland*>& islands, Visit&& visit) {
+void forEachSprung(const StepList<JointIsland*>& islands, const JointStore& store, Visit&& visit) {
     for (const JointIsland* island : islands)
-        for (const std::uint32_t j : island->sprung) visit(island->joints[j], island->laid[j].form);
+        for (const std::uint32_t j : island->sprung) {
+            const JointIndex joint = island->joints[j];
+            island->isSwept() ? visit(joint, store.formOf(joint)) : visit(joint, island->laid[j].form);
+        }
 }
 
 void shareAmong(const StepList<JointIsland*>& islands, JointStore& store, const BodyStore& bodies, double h) {
     StepList<double> load(bodies.record.size(), 0.0);  // of each body: sum over its springs of k w [1/s^2]
-    forEachSprung(islands, [&](JointIndex joint, const JointForm& form) {
+    forEachSprung(islands, store, [&](JointIndex joint, const JointForm& form) {
         const SpringLoad springs = springLoadOf(form, bodies);
         const std::array<BodyIndex, 2> ends{store[joint].bodyA, store[joint].bodyB};
         for (std::size_t r = 0; r < springs.count; ++r)
             for (std::size_t e = 0; e < 2; ++e)
                 load[ends[e]] += springs.row[r].stiffness * effectiveInverseMass(bodies, ends[e], springs.row[r].at[e]);
     });
-    forEachSprung(islands, [&](JointIndex joint, const JointForm&) {
+    forEachSprung(islands, store, [&](JointIndex joint, const JointForm&) {
         store[joint].springShare = shareOf(h * h * (load[store[joint].bodyA] + load[store[joint].bodyB]));
     });
 }
@@ -80,8 +83,6 @@ void shareSprings(JointIslands& found, JointStore& store, const BodyStore& bodie
         islands.push_back(&island);
         if (onlyTurns(island)) island.shared = h;
     }
-    for (JointIsland& island : found.swept)
-        if (!island.sprung.empty()) islands.push_back(&island);
     if (!islands.empty()) shareAmong(islands, store, bodies, h);
 }
 

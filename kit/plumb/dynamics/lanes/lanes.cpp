@@ -10,7 +10,7 @@ namespace plumb {
 /// compiled with the flags of its instruction set: only there may the compiler use these instructions.
 template struct WideContactSolver<1>;
 template struct WideLaneCollider<1>;
-template struct WideHingeSolver<1>;
+template struct WideSweptKernel<1>;
 template struct WideBodySolver<1>;
 template struct WideIslandKernel<1>;
 #if defined(__GNUC__)
@@ -20,9 +20,9 @@ extern template struct WideContactSolver<16>;
 extern template struct WideLaneCollider<4>;
 extern template struct WideLaneCollider<8>;
 extern template struct WideLaneCollider<16>;
-extern template struct WideHingeSolver<4>;
-extern template struct WideHingeSolver<8>;
-extern template struct WideHingeSolver<16>;
+extern template struct WideSweptKernel<4>;
+extern template struct WideSweptKernel<8>;
+extern template struct WideSweptKernel<16>;
 extern template struct WideBodySolver<4>;
 extern template struct WideBodySolver<8>;
 extern template struct WideBodySolver<16>;
@@ -49,8 +49,8 @@ const LaneCollider& laneCollider(int lanes) {
     return codeFor<LaneCollider, WideLaneCollider>(lanes);
 }
 
-const HingeSolver& hingeSolver(int lanes) {
-    return codeFor<HingeSolver, WideHingeSolver>(lanes);
+const SweptKernel& sweptKernel(int lanes) {
+    return codeFor<SweptKernel, WideSweptKernel>(lanes);
 }
 
 /// Islands are solved in doubles, of which half as many fit into a register.

@@ -4,7 +4,7 @@
 
 template struct plumb::WideContactSolver<16>;
 template struct plumb::WideLaneCollider<16>;
-template struct plumb::WideHingeSolver<16>;
+template struct plumb::WideSweptKernel<16>;
 template struct plumb::WideBodySolver<16>;
 template struct plumb::WideIslandKernel<16>;
 #endif

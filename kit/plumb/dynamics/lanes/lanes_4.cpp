@@ -4,7 +4,7 @@
 
 template struct plumb::WideContactSolver<4>;
 template struct plumb::WideLaneCollider<4>;
-template struct plumb::WideHingeSolver<4>;
+template struct plumb::WideSweptKernel<4>;
 template struct plumb::WideBodySolver<4>;
 template struct plumb::WideIslandKernel<4>;
 #endif

@@ -4,7 +4,7 @@
 
 template struct plumb::WideContactSolver<8>;
 template struct plumb::WideLaneCollider<8>;
-template struct plumb::WideHingeSolver<8>;
+template struct plumb::WideSweptKernel<8>;
 template struct plumb::WideBodySolver<8>;
 template struct plumb::WideIslandKernel<8>;
 #endif

@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: MIT
+// How are W joints of a swept island solved at once?
+//
+// First the rows that do not hold, each by itself; then those that hold, as one block. With K the effective inverse
+// masses, from impulses L to the rows' speeds v, and L0 the impulses so far:
+//   before a sub-step h   K L = -s (v + b q - e) - i L0,   after it   K L = -v,   and L + L0 are the impulses from then
+//   on
+// q coordinates [m or rad], e by how much the rows bend away in the sub-step, divided by h; b, s, i bias rate, mass
+// scale and impulse scale (see softness.h). A row that does not hold gives the impulse of its curve (see
+// island_curve_wide.h), found from v0, its speed without its own impulse. Joints are so soft only before a sub-step.
+#pragma once
+#include <plumb/collide/lanes/relative_lanes.h>
+#include <plumb/dynamics/joints/lanes/swept_lanes.h>
+
+namespace plumb {
+
+inline constexpr SweptForm plainHinge{.axis = {RowAxis::World, RowAxis::World},
+                                       .alongY = {false, true},
+                                       .holds = {true, true},
+                                       .fields = SweptField::joint + SweptField::link};
+
+/// Plain: all joints are hinges of two rows that hold. Then the compiler knows the shape.
+template <int W, bool Plain>
+struct SweptLanes {
+    using F = typename Wide<W>::Float;
+    using N = SweptField;
+
+    struct Pair {
+        F x, y;
+    };
+    /// A direction, and its levers about both bodies.
+    struct Axis {
+        F x, y, turnA, turnB;
+    };
+    struct Link {
+        Rows<W> va, vb;
+        F rhoA, rhoB;      ///< inverse radii of gyration
+        Pair a, b, apart;  ///< arms and gap now
+        F cosMinus1, sin;  ///< of the angle that A has turned in this step
+        F angle;           ///< that B has turned more than A
+    };
+    struct Row {
+        Axis axis{}, second{};
+        F old{}, coordinate{}, bend{};
+    };
+
+    const SweptForm& shape;
+    float* const fields;                ///< of these lanes
+    const std::uint32_t* const bodies;  ///< of these lanes
+    const SolverBodies& all;
+    const SweptPass& pass;
+    Link link[2];
+    Row row[3];
+
+    static constexpr F of(float value) { return F{} + value; }
+    [[gnu::always_inline]] inline F at(int field) const {
+        return loadLanes<W>(static_cast<const float*>(fields) + field * batchLanes);
+    }
+    [[gnu::always_inline]] inline void set(int field, F value) const { storeLanes(fields + field * batchLanes, value); }
+    [[gnu::always_inline]] inline const std::uint32_t* slots(int k, bool isB) const {
+        return bodies + (2 * k + (isB ? 1 : 0)) * batchLanes;
+    }
+    [[gnu::always_inline]] inline bool isWorld(int r) const { return shape.axis[r] == RowAxis::World; }
+    [[gnu::always_inline]] inline bool isMissing(int r) const { return !Plain && shape.axis[r] == RowAxis::Missing; }
+    [[gnu::always_inline]] inline bool isTwofold() const { return !Plain && shape.links > 1; }
+    [[gnu::always_inline]] static inline Pair turned(F cosMinus1, F sin, F x, F y) {
+        return {x + (x * cosMinus1 - y * sin), y + (y * cosMinus1 + x * sin)};
+    }
+    [[gnu::always_inline]] static inline F dot(const Axis& axis, const Pair& p) { return axis.x * p.x + axis.y * p.y; }
+
+    [[gnu::always_inline]] inline void load(int k) {
+        Link& l = link[k];
+        const int first = N::joint + k * N::link;
+        const Rows<W> da = loadRows<W>(&all.displacement->x, slots(k, false));
+        const Rows<W> db = loadRows<W>(&all.displacement->x, slots(k, true));
+        l.va = loadRows<W>(&all.velocity->x, slots(k, false));
+        l.vb = loadRows<W>(&all.velocity->x, slots(k, true));
+        l.rhoA = at(first + N::InverseGyrationA);
+        l.rhoB = at(first + N::InverseGyrationB);
+        l.sin = da.z * l.rhoA;
+        l.cosMinus1 = da.w * l.rhoA;
+        const F ax = at(first + N::ArmAx), ay = at(first + N::ArmAy);
+        const F bx = at(first + N::ArmBx), by = at(first + N::ArmBy);
+        l.a = turned(l.cosMinus1, l.sin, ax, ay);
+        l.b = turned(db.w * l.rhoB, db.z * l.rhoB, bx, by);
+        l.apart = {at(first + N::ApartX) + ((db.x - da.x) + ((l.b.x - bx) - (l.a.x - ax))),
+                   at(first + N::ApartY) + ((db.y - da.y) + ((l.b.y - by) - (l.a.y - ay)))};
+        if constexpr (!Plain)
+            l.angle =
+                loadRows<W>(&all.turn->angle, slots(k, true)).x - loadRows<W>(&all.turn->angle, slots(k, false)).x;
+    }
+    [[gnu::always_inline]] inline void store(int k) const {
+        storeRows<W>(&all.velocity->x, slots(k, false), link[k].va);
+        storeRows<W>(&all.velocity->x, slots(k, true), link[k].vb);
+    }
+
+    [[gnu::always_inline]] static inline Axis axisAt(const Pair& u, const Pair& fromA, const Pair& b) {
+        return {u.x, u.y, fromA.y * u.x - fromA.x * u.y, b.x * u.y - b.y * u.x};
+    }
+    [[gnu::always_inline]] static inline Pair fromA(const Link& l) { return {l.a.x + l.apart.x, l.a.y + l.apart.y}; }
+    [[gnu::always_inline]] static inline F lengthOf(const Pair& p) { return squareRoot<W>(p.x * p.x + p.y * p.y); }
+    [[gnu::always_inline]] static inline Pair unit(const Pair& p, float otherwise) {
+        const F length = lengthOf(p);
+        const auto some = length > F{};
+        const F divisor = some ? length : of(1);
+        return {some ? p.x / divisor : of(otherwise), some ? p.y / divisor : F{}};
+    }
+    /// field: of the direction at the step's start.
+    [[gnu::always_inline]] inline Axis axisOf(const Link& l, RowAxis axis, bool alongY, int field) const {
+        if (axis == RowAxis::Turning) return {F{}, F{}, of(-1), of(1)};
+        if (axis == RowAxis::World && !alongY) return {of(1), F{}, l.a.y, -l.b.y};
+        if (axis == RowAxis::World) return {F{}, of(1), -l.a.x, l.b.x};
+        if (axis == RowAxis::OnA) return axisAt(turned(l.cosMinus1, l.sin, at(field), at(field + 1)), fromA(l), l.b);
+        const Pair u = unit(l.apart, axis == RowAxis::Along ? 0 : 1);
+        return axisAt(axis == RowAxis::Across ? Pair{-u.y, u.x} : u, fromA(l), l.b);
+    }
+    [[gnu::always_inline]] static inline F coordinateOf(const Link& l, RowAxis axis, const Axis& u) {
+        if (axis == RowAxis::Turning) return l.angle;
+        return axis == RowAxis::Across ? F{} : dot(u, l.apart);
+    }
+
+    /// The speed of a row's part. Only a plain hinge's levers need no products with its direction.
+    [[gnu::always_inline]] inline F speedOf(const Link& l, int r, const Axis& u) const {
+        const F turn = u.turnA * (l.va.z * l.rhoA) + u.turnB * (l.vb.z * l.rhoB);
+        if (Plain) return (shape.alongY[r] ? l.vb.y - l.va.y : l.vb.x - l.va.x) + turn;
+        return u.x * (l.vb.x - l.va.x) + u.y * (l.vb.y - l.va.y) + turn;
+    }
+    [[gnu::always_inline]] inline void push(Link& l, int r, const Axis& u, F impulse) const {
+        const F a = l.va.w * impulse, b = l.vb.w * impulse;
+        if (!Plain || !shape.alongY[r]) {
+            l.va.x -= Plain ? a : a * u.x;
+            l.vb.x += Plain ? b : b * u.x;
+        }
+        if (!Plain || shape.alongY[r]) {
+            l.va.y -= Plain ? a : a * u.y;
+            l.vb.y += Plain ? b : b * u.y;
+        }
+        l.va.z += a * l.rhoA * u.turnA;
+        l.vb.z += b * l.rhoB * u.turnB;
+    }
+    /// What a unit impulse along one axis of a link changes of the speed along another.
+    [[gnu::always_inline]] inline F inverseMass(const Link& l, const Axis& u, const Axis& w) const {
+        const F a = l.va.w * (l.rhoA * l.rhoA) * (u.turnA * w.turnA),
+                b = l.vb.w * (l.rhoB * l.rhoB) * (u.turnB * w.turnB);
+        return (u.x * w.x + u.y * w.y) * (l.va.w + l.vb.w) + (a + b);
+    }
+    /// Of a joint with two links, which may share a body.
+    [[gnu::always_inline]] inline F sharedInverseMass(const Row& one) const {
+        F sum{};
+        for (const bool isB : {false, true}) {
+            for (const bool isSecondB : {false, true}) {
+                const auto same = loadLanes<W>(reinterpret_cast<const std::int32_t*>(slots(0, isB))) ==
+                                  loadLanes<W>(reinterpret_cast<const std::int32_t*>(slots(1, isSecondB)));
+                const Rows<W>& v = isB ? link[0].vb : link[0].va;
+                const F rho = isB ? link[0].rhoB : link[0].rhoA;
+                const F sign = of(isB == isSecondB ? 1 : -1);
+                const F turns =
+                    (isB ? one.axis.turnB : one.axis.turnA) * (isSecondB ? one.second.turnB : one.second.turnA);
+                const F w = v.w * (sign * (one.axis.x * one.second.x + one.axis.y * one.second.y) + rho * rho * turns);
+                sum += same ? 2.0f * w : F{};
+            }
+        }
+        return sum;
+    }
+
+    [[gnu::always_inline]] inline void placeRow(int r) {
+        Row& p = row[r];
+        p.old = at(N::Impulse + r);
+        const int first = shape.first[r];
+        if (!Plain && shape.axis[r] >= RowAxis::Missing && shape.axis[r] != RowAxis::Turning) {
+            // Its impulse is kept along x, and that of the next row along y: its axis changes from half to half.
+            p.axis = isMissing(r) ? axisAt({of(1), F{}}, fromA(link[0]), link[0].b)
+                                  : axisAt({F{}, of(1)}, fromA(link[0]), link[0].b);
+            return;
+        }
+        p.axis = axisOf(link[0], shape.axis[r], shape.alongY[r], first + N::StartX);
+        p.coordinate = Plain ? (shape.alongY[r] ? link[0].apart.y : link[0].apart.x)
+                             : coordinateOf(link[0], shape.axis[r], p.axis);
+        if (!isTwofold()) {
+            if (!Plain && shape.first[r] > 0) p.coordinate -= at(first + N::Origin);
+            return;
+        }
+        p.second = axisOf(link[1], shape.secondAxis, shape.secondAlongY, first + N::SecondStartX);
+        const F ratio = at(first + N::Ratio);
+        p.coordinate += ratio * coordinateOf(link[1], shape.secondAxis, p.second) - at(first + N::Origin);
+        p.second = {p.second.x * ratio, p.second.y * ratio, p.second.turnA * ratio, p.second.turnB * ratio};
+    }
+
+    /// By how much a part of a row bends away in the coming sub-step, to second order, divided by h. Turning is limited
+    /// to a tenth of a radian: at larger angles, in a joint that is coming apart, the term would add to the error that
+    /// it should correct.
+    [[gnu::always_inline]] inline F bendOf(const Link& l, RowAxis axis, const Axis& u) const {
+        if (axis == RowAxis::Turning) return F{};
+        const F h = of(pass.h), most = of(0.1f);
+        const F spinA = l.va.z * l.rhoA, spinB = l.vb.z * l.rhoB;
+        const F turn = smaller(larger(spinA * h, -most), most), turnB = smaller(magnitude(spinB * h), most);
+        const F bendA = 0.5f * turn * turn / h, bendB = 0.5f * turnB * turnB / h;
+        const F bend = dot(u, {l.b.x * bendB - l.a.x * bendA, l.b.y * bendB - l.a.y * bendA});
+        if (axis == RowAxis::World) return bend;
+        const Pair speed{(l.vb.x - l.b.y * spinB) - (l.va.x - l.a.y * spinA),
+                         (l.vb.y + l.b.x * spinB) - (l.va.y + l.a.x * spinA)};
+        const F aside = u.x * speed.y - u.y * speed.x, length = dot(u, l.apart);
+        if (axis == RowAxis::OnA) return bend + length * bendA - turn * aside;
+        const F along = smaller(magnitude(aside * h), length * most);
+        return bend - (length > F{} ? 0.5f * along * along / ((length > F{} ? length : of(1)) * h) : F{});
+    }
+
+    [[gnu::always_inline]] inline F speed(int r) const {
+        F sum = speedOf(link[0], r, row[r].axis);
+        if (isTwofold()) sum += speedOf(link[1], r, row[r].second);
+        return sum;
+    }
+    [[gnu::always_inline]] inline F inverseMass(int r) const {
+        F sum = inverseMass(link[0], row[r].axis, row[r].axis);
+        if (isTwofold()) sum += inverseMass(link[1], row[r].second, row[r].second) + sharedInverseMass(row[r]);
+        return sum;
+    }
+    /// The two links of a joint may share a body, so its velocity is stored before the second one changes it.
+    [[gnu::always_inline]] inline void push(int r, F impulse) {
+        push(link[0], r, row[r].axis, impulse);
+        if (!isTwofold()) return;
+        store(0);
+        link[1].va = loadRows<W>(&all.velocity->x, slots(1, false));
+        link[1].vb = loadRows<W>(&all.velocity->x, slots(1, true));
+        push(link[1], r, row[r].second, impulse);
+    }
+
+    [[gnu::always_inline]] inline void start() {
+        load(0);
+        if (isTwofold()) load(1);
+        placeRow(0);
+        if (shape.rows > 1) placeRow(1);
+        if (shape.rows > 2) placeRow(2);
+    }
+    [[gnu::always_inline]] inline void warm() {
+        start();
+        push(0, row[0].old);
+        if (shape.rows > 1) push(1, row[1].old);
+        if (shape.rows > 2) push(2, row[2].old);
+        store(isTwofold() ? 1 : 0);
+    }
+
+    /// B's wanted velocity relative to A.
+    [[gnu::always_inline]] inline Pair wantedOf(int first) const {
+        const F rate = at(first + N::DriveRate);
+        const Pair given = turned(link[0].cosMinus1, link[0].sin, at(first + N::StartX), at(first + N::StartY));
+        return {given.x - link[0].apart.x * rate, given.y - link[0].apart.y * rate};
+    }
+    /// Takes back the impulses of the first two rows, and lays them along the velocity that B lacks then, and beside
+    /// it.
+    [[gnu::always_inline]] inline void turnToMissing() {
+        push(0, -row[0].old);
+        push(1, -row[1].old);
+        const Pair wanted = wantedOf(shape.first[0]);
+        const Pair u = unit({wanted.x - speed(0), wanted.y - speed(1)}, 1);
+        row[0].axis = axisAt(u, fromA(link[0]), link[0].b);
+        row[1].axis = axisAt({-u.y, u.x}, fromA(link[0]), link[0].b);
+        row[0].old = row[1].old = F{};
+    }
+
+    /// The speed towards a limit that is this far away (see RowCurve).
+    [[gnu::always_inline]] inline F roomSpeed(F room) const {
+        const F back = pass.correct ? larger(room * pass.soft.biasRate, of(-pass.fastest)) : F{};
+        return room >= F{} ? room / pass.h : back;
+    }
+
+    [[gnu::always_inline]] inline void drive(int r) {
+        Row& p = row[r];
+        const int first = shape.first[r];
+        const F w = inverseMass(r), before = speed(r), q = p.coordinate;
+        const auto movable = w > F{};
+        const F divisor = movable ? w : of(1), v0 = before - w * p.old, half = of(0.5f * pass.h);
+        // exp(c w h / 2) - 1; its third-order series decays as surely.
+        const F damped = smaller(at(first + N::Damping) * half * w, of(30));
+        const F growth = damped * (1.0f + damped * (0.5f + damped * (1.0f / 6)));
+        const F pushed = -at(first + N::Stiffness) * half * (q - at(first + N::SpringRest));
+        const F high = at(first + N::MostForce) * half, share = 1.0f / (1.0f + growth);
+        F u = (v0 + w * pushed) * share, impulse;
+        if (shape.bounded[r]) {
+            impulse = smaller(larger((u - v0) / divisor, -high), high);
+        } else {
+            if (pass.correct) p.bend = bendOf(link[0], shape.axis[r], p.axis);
+            if (pass.correct && isTwofold()) p.bend += bendOf(link[1], shape.secondAxis, p.second);
+            F target = at(first + N::DriveSpeed) - at(first + N::DriveRate) * q;
+            if (isMissing(r) || shape.axis[r] == RowAxis::Beside) target = dot(p.axis, wantedOf(first));
+            const F upper = p.bend + roomSpeed(at(first + N::LimitUpper) - q);
+            const F lower = smaller(p.bend - roomSpeed(q - at(first + N::LimitLower)), upper);
+            target = smaller(larger(target, lower), upper);
+            u += smaller(larger((target - u) * (1.0f + growth) / divisor, -high), high) * w * share;
+            u = smaller(larger(u, lower), upper);
+            impulse = (u - v0) / divisor;
+        }
+        impulse = movable ? impulse : F{};
+        push(r, impulse - p.old);
+        p.old = impulse;
+        if (pass.told != nullptr) tell(r, pushed, high, movable ? growth / divisor : F{}, v0 + w * impulse);
+    }
+
+    [[gnu::always_inline]] inline void tell(int r, F pushed, F high, F slope, F after) const {
+        const Row& p = row[r];
+        const F told[] = {p.axis.x,       p.axis.y, p.axis.turnA, p.axis.turnB, p.second.x, p.second.y, p.second.turnA,
+                          p.second.turnB, pushed,   high,         slope,        after,      p.old};
+        for (int i = 0; i < N::told; ++i) storeLanes(pass.told + (r * N::told + i) * batchLanes, told[i]);
+    }
+
+    [[gnu::always_inline]] inline bool isHeld(int r) const { return r < shape.rows && shape.holds[r]; }
+    [[gnu::always_inline]] inline F coupling(int r, int s) const {
+        if (!isHeld(r) || !isHeld(s)) return F{};
+        if (r == s) return inverseMass(r);
+        return inverseMass(link[0], row[r].axis, row[s].axis);
+    }
+    [[gnu::always_inline]] static inline F inverse(F pivot, F whole) {
+        const auto some = pivot > 1e-7f * whole;
+        return some ? 1.0f / (some ? pivot : of(1)) : F{};
+    }
+
+    /// The rows that hold, by an L D L^T decomposition. Where gaps close at the most allowed speed, the impulses must
+    /// not leak: else a load opens them for ever.
+    [[gnu::always_inline]] inline void hold() {
+        F wanted[3] = {}, squares{}, rate{}, massScale = of(1), leak{};
+        if (pass.correct) {
+            for (int r = 0; r < 3; ++r)
+                if (isHeld(r)) squares += row[r].coordinate * row[r].coordinate;
+            rate = smaller(of(pass.soft.biasRate), pass.fastest / larger(squareRoot<W>(squares), of(1e-9f)));
+            massScale = of(pass.soft.massScale);
+            leak = rate < of(pass.soft.biasRate) ? F{} : of(pass.soft.impulseScale);
+        }
+        for (int r = 0; r < 3; ++r) {
+            if (!isHeld(r)) continue;
+            wanted[r] = speed(r);
+            if (!pass.correct) continue;
+            F bend = bendOf(link[0], shape.axis[r], row[r].axis);
+            if (isTwofold()) bend += bendOf(link[1], shape.secondAxis, row[r].second);
+            wanted[r] += row[r].coordinate * rate - bend;
+        }
+        const F k00 = coupling(0, 0), i0 = inverse(k00, k00), l10 = coupling(1, 0) * i0;
+        const F k11 = coupling(1, 1), d1 = k11 - l10 * l10 * k00, i1 = inverse(d1, k11);
+        F x[3] = {wanted[0] * i0, (wanted[1] - l10 * wanted[0]) * i1, F{}};
+        if (isHeld(2)) {
+            const F l20 = coupling(2, 0) * i0, l21 = (coupling(2, 1) - l10 * coupling(2, 0)) * i1, k22 = coupling(2, 2);
+            const F i2 = inverse(k22 - l20 * l20 * k00 - l21 * l21 * d1, k22);
+            x[2] = (wanted[2] - l20 * wanted[0] - l21 * (wanted[1] - l10 * wanted[0])) * i2;
+            x[1] -= l21 * x[2];
+            x[0] -= l20 * x[2];
+        }
+        x[0] -= l10 * x[1];
+        for (int r = 0; r < 3; ++r) {
+            if (!isHeld(r)) continue;
+            const F change = -x[r] * massScale - row[r].old * leak;
+            push(r, change);
+            row[r].old += change;
+            if (!Plain && pass.told != nullptr) tell(r, F{}, F{}, F{}, F{});
+        }
+    }
+
+    [[gnu::always_inline]] inline void keep(int r) const {
+        const Row& p = row[r];
+        const Axis& u = isTwofold() ? p.second : p.axis;
+        if (!Plain || !shape.alongY[r]) set(N::LoadX, at(N::LoadX) + (Plain ? p.old : p.old * u.x));
+        if (!Plain || shape.alongY[r]) set(N::LoadY, at(N::LoadY) + (Plain ? p.old : p.old * u.y));
+        if (!Plain && (shape.turnsOnly || shape.axis[r] == RowAxis::Turning))
+            set(N::LoadTurn, at(N::LoadTurn) + p.old * u.turnB);
+        F kept = p.old;
+        if (isMissing(r)) kept = row[0].old * u.x - row[1].old * u.y;
+        if (!Plain && shape.axis[r] == RowAxis::Beside) kept = row[1].old * u.y - row[0].old * u.x;
+        set(N::Impulse + r, kept);
+    }
+
+    [[gnu::always_inline]] inline void solve() {
+        start();
+        if (isMissing(0)) turnToMissing();
+        for (int r = 0; r < 3; ++r)
+            if (r < shape.rows && !shape.holds[r]) drive(r);
+        hold();
+        for (int r = 0; r < 3; ++r)
+            if (r < shape.rows) keep(r);
+        store(isTwofold() ? 1 : 0);
+    }
+
+    [[gnu::always_inline]] inline void prepare(const BodyPlace* places) const {
+        for (int k = 0; k < shape.links; ++k) {
+            const RelativeLanes<W> r = relativeLanes<W>(slots(k, false), slots(k, true), places);
+            const Rows<W> a = loadRows<W, 16>(&places->highX + 4, slots(k, false));
+            const Rows<W> b = loadRows<W, 16>(&places->highX + 4, slots(k, true));
+            const int first = N::joint + k * N::link;
+            const auto turn = [&](const Rows<W>& by, int from, int to) __attribute__((always_inline)) {
+                const F x = at(from), y = at(from + 1);
+                set(to, by.x * x - by.y * y);
+                set(to + 1, by.y * x + by.x * y);
+            };
+            turn(a, first + N::LocalAx, first + N::ArmAx);
+            turn(b, first + N::LocalBx, first + N::ArmBx);
+            set(first + N::ApartX, r.apartX + at(first + N::ShiftX) + (at(first + N::ArmBx) - at(first + N::ArmAx)));
+            set(first + N::ApartY, r.apartY + at(first + N::ShiftY) + (at(first + N::ArmBy) - at(first + N::ArmAy)));
+            set(first + N::InverseGyrationA, a.z);
+            set(first + N::InverseGyrationB, b.z);
+            for (int i = 0; i < shape.rows; ++i) {
+                const int own = shape.first[i], local = k == 0 ? N::LocalX : N::SecondLocalX;
+                if (own > 0 && (k > 0 || !shape.holds[i] || shape.axis[i] == RowAxis::OnA))
+                    turn(a, own + local, own + local + 2);
+            }
+        }
+        for (const int load : {N::LoadX, N::LoadY, N::LoadTurn}) set(load, F{});
+    }
+};
+
+template <int W>
+struct WideSweptJoints {
+    /// Calls act(lanes) for W lanes after the other.
+    template <bool Plain, class Act>
+    [[gnu::always_inline]] static inline void forLanes(const SweptBatch& batch, float* fields,
+                                                       const std::uint32_t* bodies, const SolverBodies& all,
+                                                       SweptPass pass, Act&& act) {
+        for (int lane = 0; lane < batchLanes; lane += W) {
+            const SweptForm& shape = Plain ? plainHinge : batch.shape;
+            SweptLanes<W, Plain> lanes{shape, fields + lane, bodies + lane, all, pass};
+            act(lanes);
+            if (pass.told != nullptr) pass.told += W;
+        }
+    }
+    template <class Act>
+    [[gnu::always_inline]] static inline void visit(const SweptBatch& batch, float* fields, const std::uint32_t* bodies,
+                                                    const SolverBodies& all, const SweptPass& pass, Act&& act) {
+        if (batch.shape.fields == plainHinge.fields && batch.shape.rows == 2)
+            forLanes<true>(batch, fields, bodies, all, pass, act);
+        else
+            forLanes<false>(batch, fields, bodies, all, pass, act);
+    }
+
+    static void prepare(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const BodyPlace* places) {
+        const SolverBodies none{};
+        forLanes<false>(
+            batch, fields, bodies, none,
+            {}, [&](auto& lanes) __attribute__((always_inline)) { lanes.prepare(places); });
+    }
+    static void warmStart(const SweptBatch& batch, float* fields, const std::uint32_t* bodies,
+                          const SolverBodies& all) {
+        visit(
+            batch, fields, bodies, all, {}, [](auto& lanes) __attribute__((always_inline)) { lanes.warm(); });
+    }
+    static void solve(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all,
+                      const SweptPass& pass) {
+        visit(
+            batch, fields, bodies, all, pass, [](auto& lanes) __attribute__((always_inline)) { lanes.solve(); });
+    }
+};
+
+template <int W>
+const SweptKernel WideSweptKernel<W>::code{WideSweptJoints<W>::prepare, WideSweptJoints<W>::warmStart,
+                                           WideSweptJoints<W>::solve};
+
+}  // namespace plumb
