@@ -18,7 +18,7 @@ constexpr int colours = 64;  ///< a joint without a colour has a batch of its ow
 
 SweptForm shapeOf(const JointForm& form) {
     SweptForm shape{.links = static_cast<std::uint8_t>(form.links), .rows = static_cast<std::uint8_t>(form.rows)};
-    shape.secondAxis = form.secondAxis;
+    if (form.links > 1) shape.secondAxis = form.secondAxis;
     shape.secondAlongY = form.secondDirection.y() != 0;
     shape.turnsOnly = form.turnsOnly;
     std::size_t fields = N::joint + form.links * N::link;
@@ -78,7 +78,7 @@ void SweptJoints::take(const std::vector<JointIndex>& joints, const std::vector<
         if (i == 0 || lane == batchLanes || place.colour == colours || place.colour != places[i - 1].colour ||
             place.shape != places[i - 1].shape) {
             const SweptForm& shape = shapes[place.shape];
-            batches_.push_back({shape, fields_.size(), slots_.size()});
+            batches_.push_back({shape, shape == plainHinge, fields_.size(), slots_.size()});
             fields_.resize(fields_.size() + shape.fields);
             slots_.resize(slots_.size() + std::size_t{2} * shape.links);
             jointOf_.resize(jointOf_.size() + batchLanes, none);

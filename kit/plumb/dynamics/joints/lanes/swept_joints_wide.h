@@ -14,11 +14,6 @@
 
 namespace plumb {
 
-inline constexpr SweptForm plainHinge{.axis = {RowAxis::World, RowAxis::World},
-                                       .alongY = {false, true},
-                                       .holds = {true, true},
-                                       .fields = SweptField::joint + SweptField::link};
-
 /// Plain: all joints are hinges of two rows that hold. Then the compiler knows the shape.
 template <int W, bool Plain>
 struct SweptLanes {
@@ -43,6 +38,10 @@ struct SweptLanes {
         Axis axis{}, second{};
         F old{}, coordinate{}, bend{};
     };
+
+    [[gnu::always_inline]] inline SweptLanes(const SweptBatch& batch, float* ownFields, const std::uint32_t* ownBodies,
+                                             const SolverBodies& allBodies, const SweptPass& thisPass)
+        : shape(Plain ? plainHinge : batch.shape), fields(ownFields), bodies(ownBodies), all(allBodies), pass(thisPass) {}
 
     const SweptForm& shape;
     float* const fields;                ///< of these lanes
@@ -319,12 +318,14 @@ struct SweptLanes {
     [[gnu::always_inline]] inline void hold() {
         F wanted[3] = {}, squares{}, rate{}, massScale = of(1), leak{};
         if (pass.correct) {
-            for (int r = 0; r < 3; ++r)
+    #pragma GCC unroll 3
+        for (int r = 0; r < 3; ++r)
                 if (isHeld(r)) squares += row[r].coordinate * row[r].coordinate;
             rate = smaller(of(pass.soft.biasRate), pass.fastest / larger(squareRoot<W>(squares), of(1e-9f)));
             massScale = of(pass.soft.massScale);
             leak = rate < of(pass.soft.biasRate) ? F{} : of(pass.soft.impulseScale);
         }
+#pragma GCC unroll 3
         for (int r = 0; r < 3; ++r) {
             if (!isHeld(r)) continue;
             wanted[r] = speed(r);
@@ -344,6 +345,7 @@ struct SweptLanes {
             x[0] -= l20 * x[2];
         }
         x[0] -= l10 * x[1];
+#pragma GCC unroll 3
         for (int r = 0; r < 3; ++r) {
             if (!isHeld(r)) continue;
             const F change = -x[r] * massScale - row[r].old * leak;
@@ -369,9 +371,11 @@ struct SweptLanes {
     [[gnu::always_inline]] inline void solve() {
         start();
         if (isMissing(0)) turnToMissing();
+#pragma GCC unroll 3
         for (int r = 0; r < 3; ++r)
             if (r < shape.rows && !shape.holds[r]) drive(r);
         hold();
+#pragma GCC unroll 3
         for (int r = 0; r < 3; ++r)
             if (r < shape.rows) keep(r);
         store(isTwofold() ? 1 : 0);
@@ -406,42 +410,33 @@ struct SweptLanes {
 
 template <int W>
 struct WideSweptJoints {
-    /// Calls act(lanes) for W lanes after the other.
-    template <bool Plain, class Act>
-    [[gnu::always_inline]] static inline void forLanes(const SweptBatch& batch, float* fields,
-                                                       const std::uint32_t* bodies, const SolverBodies& all,
-                                                       SweptPass pass, Act&& act) {
+    template <bool Plain>
+    static void warmLanes(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all) {
+        const SweptPass pass;
+        for (int lane = 0; lane < batchLanes; lane += W)
+            SweptLanes<W, Plain>(batch, fields + lane, bodies + lane, all, pass).warm();
+    }
+    template <bool Plain>
+    static void solveLanes(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all,
+                           SweptPass pass) {
         for (int lane = 0; lane < batchLanes; lane += W) {
-            const SweptForm& shape = Plain ? plainHinge : batch.shape;
-            SweptLanes<W, Plain> lanes{shape, fields + lane, bodies + lane, all, pass};
-            act(lanes);
+            SweptLanes<W, Plain>(batch, fields + lane, bodies + lane, all, pass).solve();
             if (pass.told != nullptr) pass.told += W;
         }
     }
-    template <class Act>
-    [[gnu::always_inline]] static inline void visit(const SweptBatch& batch, float* fields, const std::uint32_t* bodies,
-                                                    const SolverBodies& all, const SweptPass& pass, Act&& act) {
-        if (batch.shape.fields == plainHinge.fields && batch.shape.rows == 2)
-            forLanes<true>(batch, fields, bodies, all, pass, act);
-        else
-            forLanes<false>(batch, fields, bodies, all, pass, act);
-    }
 
     static void prepare(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const BodyPlace* places) {
-        const SolverBodies none{};
-        forLanes<false>(
-            batch, fields, bodies, none,
-            {}, [&](auto& lanes) __attribute__((always_inline)) { lanes.prepare(places); });
+        const SolverBodies none;
+        const SweptPass pass;
+        for (int lane = 0; lane < batchLanes; lane += W)
+            SweptLanes<W, false>(batch, fields + lane, bodies + lane, none, pass).prepare(places);
     }
-    static void warmStart(const SweptBatch& batch, float* fields, const std::uint32_t* bodies,
-                          const SolverBodies& all) {
-        visit(
-            batch, fields, bodies, all, {}, [](auto& lanes) __attribute__((always_inline)) { lanes.warm(); });
+    static void warmStart(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all) {
+        (batch.isPlain ? warmLanes<true> : warmLanes<false>)(batch, fields, bodies, all);
     }
     static void solve(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all,
                       const SweptPass& pass) {
-        visit(
-            batch, fields, bodies, all, pass, [](auto& lanes) __attribute__((always_inline)) { lanes.solve(); });
+        (batch.isPlain ? solveLanes<true> : solveLanes<false>)(batch, fields, bodies, all, pass);
     }
 };
 

@@ -84,8 +84,15 @@ struct SweptField {
     };
 };
 
+/// Two rows that hold, along x and along y: most joints of wide nets.
+inline constexpr SweptForm plainHinge{.axis = {RowAxis::World, RowAxis::World},
+                                      .alongY = {false, true},
+                                      .holds = {true, true},
+                                      .fields = int{SweptField::joint} + int{SweptField::link}};
+
 struct SweptBatch {
     SweptForm shape;
+    bool isPlain = false;                ///< its shape is plainHinge
     std::size_t fields = 0, bodies = 0;  ///< the first of its fields and of its lists of bodies: A and B of each link
 };
 struct alignas(64) SweptFloats {
