@@ -31,10 +31,11 @@ SweptForm shapeOf(const JointForm& form) {
         shape.bounded[r] = row.bounded;
         if (isWorld && row.holds && form.links == 1) continue;
         shape.first[r] = static_cast<std::uint8_t>(fields);
-        fields += static_cast<std::size_t>(form.links > 1             ? N::twofold
-                                           : !row.holds               ? N::free
-                                           : row.axis == RowAxis::OnA ? N::directed
-                                                                      : N::held);
+        int own = N::held;
+        if (row.axis == RowAxis::OnA) own = N::directed;
+        if (!row.holds) own = N::free;
+        if (form.links > 1) own = N::twofold;
+        fields += static_cast<std::size_t>(own);
     }
     shape.fields = static_cast<std::uint8_t>(fields);
     return shape;
@@ -139,7 +140,7 @@ void SweptJoints::addRow(JointIndex joint, const JointForm& form, std::size_t r,
     const double values[] = {row.speed,          row.rate,        boundOf(row.maxForce),
                              row.limit.lower,    row.limit.upper, row.spring.stiffness,
                              row.spring.damping, row.springRest};
-    for (std::size_t i = 0; i < std::size(values); ++i) set(N::DriveSpeed + i, values[i]);
+    for (std::size_t i = 0; i < std::size(values); ++i) set(N::Speed + i, values[i]);
     if (row.spring.stiffness > 0) springs_.push_back({first + N::Stiffness, lane, joint, row.spring.stiffness});
 }
 
@@ -170,15 +171,15 @@ void SweptJoints::prepare(const SweptKernel& kernel, const JointStore& store, co
 
 void SweptJoints::solve(const SweptKernel& kernel, BodyStore& bodies, SweptPass pass, StepObserver* observer) {
     const SolverBodies all = bodies.solverBodies();
-    for (const SweptBatch& batch : batches_)
-        kernel.warmStart(batch, fields_[batch.fields].of, slots_[batch.bodies].of, all);
     std::vector<float> told(observer != nullptr ? maxRows * N::told * batchLanes : 0);
-    if (observer != nullptr) pass.told = told.data();
-    for (std::size_t i = 0; i < batches_.size(); ++i) {
-        const SweptBatch& batch = batches_[i];
-        kernel.solve(batch, fields_[batch.fields].of, slots_[batch.bodies].of, all, pass);
-        if (observer != nullptr && batch.shape.first[0] + batch.shape.first[1] + batch.shape.first[2] > 0)
-            tell(batch, &jointOf_[i * batchLanes], told.data(), *observer);
+    for (const bool isFirstGuess : {true, false}) {
+        pass.isFirstGuess = isFirstGuess;
+        pass.told = isFirstGuess || observer == nullptr ? nullptr : told.data();
+        for (std::size_t i = 0; i < batches_.size(); ++i) {
+            const SweptBatch& batch = batches_[i];
+            kernel.solve(batch, fields_[batch.fields].of, slots_[batch.bodies].of, all, pass);
+            if (pass.told != nullptr && !batch.isPlain) tell(batch, &jointOf_[i * batchLanes], pass.told, *observer);
+        }
     }
 }
 

@@ -35,39 +35,40 @@ struct SweptLanes {
         F angle;           ///< that B has turned more than A
     };
     struct Row {
-        Axis axis{}, second{};
-        F old{}, coordinate{}, bend{};
+        Axis axis, second;
+        F old, coordinate;
     };
 
-    [[gnu::always_inline]] inline SweptLanes(const SweptBatch& batch, float* ownFields, const std::uint32_t* ownBodies,
-                                             const SolverBodies& allBodies, const SweptPass& thisPass)
-        : shape(Plain ? plainHinge : batch.shape), fields(ownFields), bodies(ownBodies), all(allBodies), pass(thisPass) {}
-
-    const SweptForm& shape;
+    const SweptForm& shape;             ///< if Plain, plainHinge, which the compiler knows
     float* const fields;                ///< of these lanes
     const std::uint32_t* const bodies;  ///< of these lanes
     const SolverBodies& all;
     const SweptPass& pass;
-    Link link[2];
-    Row row[3];
+    Link link[2] = {};
+    Row row[3] = {};
 
     static constexpr F of(float value) { return F{} + value; }
-    [[gnu::always_inline]] inline F at(int field) const {
-        return loadLanes<W>(static_cast<const float*>(fields) + field * batchLanes);
+    F at(int field) const { return loadLanes<W>(static_cast<const float*>(fields) + field * batchLanes); }
+    void set(int field, F value) const { storeLanes(fields + field * batchLanes, value); }
+    const std::uint32_t* slots(int k, bool isB) const { return bodies + (2 * k + (isB ? 1 : 0)) * batchLanes; }
+    auto signedSlots(int k, bool isB) const {
+        return loadLanes<W>(reinterpret_cast<const std::int32_t*>(slots(k, isB)));
     }
-    [[gnu::always_inline]] inline void set(int field, F value) const { storeLanes(fields + field * batchLanes, value); }
-    [[gnu::always_inline]] inline const std::uint32_t* slots(int k, bool isB) const {
-        return bodies + (2 * k + (isB ? 1 : 0)) * batchLanes;
+    /// Calls act(r) for each row.
+    template <class Act>
+    void forRows(Act&& act) const {
+        act(0);
+        if (shape.rows > 1) act(1);
+        if (shape.rows > 2) act(2);
     }
-    [[gnu::always_inline]] inline bool isWorld(int r) const { return shape.axis[r] == RowAxis::World; }
-    [[gnu::always_inline]] inline bool isMissing(int r) const { return !Plain && shape.axis[r] == RowAxis::Missing; }
-    [[gnu::always_inline]] inline bool isTwofold() const { return !Plain && shape.links > 1; }
-    [[gnu::always_inline]] static inline Pair turned(F cosMinus1, F sin, F x, F y) {
+    bool isMissing(int r) const { return !Plain && shape.axis[r] == RowAxis::Missing; }
+    bool isTwofold() const { return !Plain && shape.links > 1; }
+    static Pair turned(F cosMinus1, F sin, F x, F y) {
         return {x + (x * cosMinus1 - y * sin), y + (y * cosMinus1 + x * sin)};
     }
-    [[gnu::always_inline]] static inline F dot(const Axis& axis, const Pair& p) { return axis.x * p.x + axis.y * p.y; }
+    static F dot(const Axis& axis, const Pair& p) { return axis.x * p.x + axis.y * p.y; }
 
-    [[gnu::always_inline]] inline void load(int k) {
+    void load(int k) {
         Link& l = link[k];
         const int first = N::joint + k * N::link;
         const Rows<W> da = loadRows<W>(&all.displacement->x, slots(k, false));
@@ -88,24 +89,23 @@ struct SweptLanes {
             l.angle =
                 loadRows<W>(&all.turn->angle, slots(k, true)).x - loadRows<W>(&all.turn->angle, slots(k, false)).x;
     }
-    [[gnu::always_inline]] inline void store(int k) const {
+    void store(int k) const {
         storeRows<W>(&all.velocity->x, slots(k, false), link[k].va);
         storeRows<W>(&all.velocity->x, slots(k, true), link[k].vb);
     }
 
-    [[gnu::always_inline]] static inline Axis axisAt(const Pair& u, const Pair& fromA, const Pair& b) {
+    static Axis axisAt(const Pair& u, const Pair& fromA, const Pair& b) {
         return {u.x, u.y, fromA.y * u.x - fromA.x * u.y, b.x * u.y - b.y * u.x};
     }
-    [[gnu::always_inline]] static inline Pair fromA(const Link& l) { return {l.a.x + l.apart.x, l.a.y + l.apart.y}; }
-    [[gnu::always_inline]] static inline F lengthOf(const Pair& p) { return squareRoot<W>(p.x * p.x + p.y * p.y); }
-    [[gnu::always_inline]] static inline Pair unit(const Pair& p, float otherwise) {
-        const F length = lengthOf(p);
+    static Pair fromA(const Link& l) { return {l.a.x + l.apart.x, l.a.y + l.apart.y}; }
+    static Pair unit(const Pair& p, float otherwise) {
+        const F length = squareRoot<W>(p.x * p.x + p.y * p.y);
         const auto some = length > F{};
         const F divisor = some ? length : of(1);
         return {some ? p.x / divisor : of(otherwise), some ? p.y / divisor : F{}};
     }
     /// field: of the direction at the step's start.
-    [[gnu::always_inline]] inline Axis axisOf(const Link& l, RowAxis axis, bool alongY, int field) const {
+    Axis axisOf(const Link& l, RowAxis axis, bool alongY, int field) const {
         if (axis == RowAxis::Turning) return {F{}, F{}, of(-1), of(1)};
         if (axis == RowAxis::World && !alongY) return {of(1), F{}, l.a.y, -l.b.y};
         if (axis == RowAxis::World) return {F{}, of(1), -l.a.x, l.b.x};
@@ -113,82 +113,71 @@ struct SweptLanes {
         const Pair u = unit(l.apart, axis == RowAxis::Along ? 0 : 1);
         return axisAt(axis == RowAxis::Across ? Pair{-u.y, u.x} : u, fromA(l), l.b);
     }
-    [[gnu::always_inline]] static inline F coordinateOf(const Link& l, RowAxis axis, const Axis& u) {
+    static F coordinateOf(const Link& l, RowAxis axis, const Axis& u) {
         if (axis == RowAxis::Turning) return l.angle;
         return axis == RowAxis::Across ? F{} : dot(u, l.apart);
     }
 
     /// The speed of a row's part. Only a plain hinge's levers need no products with its direction.
-    [[gnu::always_inline]] inline F speedOf(const Link& l, int r, const Axis& u) const {
+    F speedOf(const Link& l, int r, const Axis& u) const {
         const F turn = u.turnA * (l.va.z * l.rhoA) + u.turnB * (l.vb.z * l.rhoB);
         if (Plain) return (shape.alongY[r] ? l.vb.y - l.va.y : l.vb.x - l.va.x) + turn;
         return u.x * (l.vb.x - l.va.x) + u.y * (l.vb.y - l.va.y) + turn;
     }
-    [[gnu::always_inline]] inline void push(Link& l, int r, const Axis& u, F impulse) const {
+    void push(Link& l, int r, const Axis& u, F impulse) const {
         const F a = l.va.w * impulse, b = l.vb.w * impulse;
-        if (!Plain || !shape.alongY[r]) {
-            l.va.x -= Plain ? a : a * u.x;
-            l.vb.x += Plain ? b : b * u.x;
-        }
-        if (!Plain || shape.alongY[r]) {
-            l.va.y -= Plain ? a : a * u.y;
-            l.vb.y += Plain ? b : b * u.y;
-        }
+        const bool isX = Plain && !shape.alongY[r], isY = Plain && shape.alongY[r];
+        if (!isY) l.va.x -= isX ? a : a * u.x;
+        if (!isY) l.vb.x += isX ? b : b * u.x;
+        if (!isX) l.va.y -= isY ? a : a * u.y;
+        if (!isX) l.vb.y += isY ? b : b * u.y;
         l.va.z += a * l.rhoA * u.turnA;
         l.vb.z += b * l.rhoB * u.turnB;
     }
     /// What a unit impulse along one axis of a link changes of the speed along another.
-    [[gnu::always_inline]] inline F inverseMass(const Link& l, const Axis& u, const Axis& w) const {
+    F inverseMass(const Link& l, const Axis& u, const Axis& w) const {
         const F a = l.va.w * (l.rhoA * l.rhoA) * (u.turnA * w.turnA),
                 b = l.vb.w * (l.rhoB * l.rhoB) * (u.turnB * w.turnB);
         return (u.x * w.x + u.y * w.y) * (l.va.w + l.vb.w) + (a + b);
     }
-    /// Of a joint with two links, which may share a body.
-    [[gnu::always_inline]] inline F sharedInverseMass(const Row& one) const {
-        F sum{};
-        for (const bool isB : {false, true}) {
-            for (const bool isSecondB : {false, true}) {
-                const auto same = loadLanes<W>(reinterpret_cast<const std::int32_t*>(slots(0, isB))) ==
-                                  loadLanes<W>(reinterpret_cast<const std::int32_t*>(slots(1, isSecondB)));
-                const Rows<W>& v = isB ? link[0].vb : link[0].va;
-                const F rho = isB ? link[0].rhoB : link[0].rhoA;
-                const F sign = of(isB == isSecondB ? 1 : -1);
-                const F turns =
-                    (isB ? one.axis.turnB : one.axis.turnA) * (isSecondB ? one.second.turnB : one.second.turnA);
-                const F w = v.w * (sign * (one.axis.x * one.second.x + one.axis.y * one.second.y) + rho * rho * turns);
-                sum += same ? 2.0f * w : F{};
-            }
-        }
-        return sum;
+    /// What the links of a joint add by bodies that they share.
+    F sharedInverseMass(const Axis& u, const Axis& w) const {
+        const Link& l = link[0];
+        const F along = u.x * w.x + u.y * w.y;
+        const auto shared = [&](bool isB, bool isSecondB, F mass, F rho, F straight, F turns) {
+            const auto same = signedSlots(0, isB) == signedSlots(1, isSecondB);
+            return same ? 2.0f * mass * (straight + rho * rho * turns) : F{};
+        };
+        return shared(false, false, l.va.w, l.rhoA, along, u.turnA * w.turnA) +
+               shared(false, true, l.va.w, l.rhoA, -along, u.turnA * w.turnB) +
+               shared(true, false, l.vb.w, l.rhoB, -along, u.turnB * w.turnA) +
+               shared(true, true, l.vb.w, l.rhoB, along, u.turnB * w.turnB);
     }
 
-    [[gnu::always_inline]] inline void placeRow(int r) {
+    void placeRow(int r) {
         Row& p = row[r];
         p.old = at(N::Impulse + r);
         const int first = shape.first[r];
         if (!Plain && shape.axis[r] >= RowAxis::Missing && shape.axis[r] != RowAxis::Turning) {
             // Its impulse is kept along x, and that of the next row along y: its axis changes from half to half.
-            p.axis = isMissing(r) ? axisAt({of(1), F{}}, fromA(link[0]), link[0].b)
-                                  : axisAt({F{}, of(1)}, fromA(link[0]), link[0].b);
+            p.axis = axisAt(isMissing(r) ? Pair{of(1), F{}} : Pair{F{}, of(1)}, fromA(link[0]), link[0].b);
             return;
         }
         p.axis = axisOf(link[0], shape.axis[r], shape.alongY[r], first + N::StartX);
         p.coordinate = Plain ? (shape.alongY[r] ? link[0].apart.y : link[0].apart.x)
                              : coordinateOf(link[0], shape.axis[r], p.axis);
-        if (!isTwofold()) {
-            if (!Plain && shape.first[r] > 0) p.coordinate -= at(first + N::Origin);
-            return;
-        }
+        if (!Plain && first > 0) p.coordinate -= at(first + N::Origin);
+        if (!isTwofold()) return;
         p.second = axisOf(link[1], shape.secondAxis, shape.secondAlongY, first + N::SecondStartX);
         const F ratio = at(first + N::Ratio);
-        p.coordinate += ratio * coordinateOf(link[1], shape.secondAxis, p.second) - at(first + N::Origin);
+        p.coordinate += ratio * coordinateOf(link[1], shape.secondAxis, p.second);
         p.second = {p.second.x * ratio, p.second.y * ratio, p.second.turnA * ratio, p.second.turnB * ratio};
     }
 
     /// By how much a part of a row bends away in the coming sub-step, to second order, divided by h. Turning is limited
     /// to a tenth of a radian: at larger angles, in a joint that is coming apart, the term would add to the error that
     /// it should correct.
-    [[gnu::always_inline]] inline F bendOf(const Link& l, RowAxis axis, const Axis& u) const {
+    F bendOf(const Link& l, RowAxis axis, const Axis& u) const {
         if (axis == RowAxis::Turning) return F{};
         const F h = of(pass.h), most = of(0.1f);
         const F spinA = l.va.z * l.rhoA, spinB = l.vb.z * l.rhoB;
@@ -204,18 +193,24 @@ struct SweptLanes {
         return bend - (length > F{} ? 0.5f * along * along / ((length > F{} ? length : of(1)) * h) : F{});
     }
 
-    [[gnu::always_inline]] inline F speed(int r) const {
+    F bendOf(int r) const {
+        if (!pass.correct) return F{};
+        const F bend = bendOf(link[0], shape.axis[r], row[r].axis);
+        return isTwofold() ? bend + bendOf(link[1], shape.secondAxis, row[r].second) : bend;
+    }
+    F speed(int r) const {
         F sum = speedOf(link[0], r, row[r].axis);
         if (isTwofold()) sum += speedOf(link[1], r, row[r].second);
         return sum;
     }
-    [[gnu::always_inline]] inline F inverseMass(int r) const {
+    F inverseMass(int r) const {
         F sum = inverseMass(link[0], row[r].axis, row[r].axis);
-        if (isTwofold()) sum += inverseMass(link[1], row[r].second, row[r].second) + sharedInverseMass(row[r]);
+        if (isTwofold())
+            sum += inverseMass(link[1], row[r].second, row[r].second) + sharedInverseMass(row[r].axis, row[r].second);
         return sum;
     }
     /// The two links of a joint may share a body, so its velocity is stored before the second one changes it.
-    [[gnu::always_inline]] inline void push(int r, F impulse) {
+    void push(int r, F impulse) {
         push(link[0], r, row[r].axis, impulse);
         if (!isTwofold()) return;
         store(0);
@@ -224,30 +219,27 @@ struct SweptLanes {
         push(link[1], r, row[r].second, impulse);
     }
 
-    [[gnu::always_inline]] inline void start() {
+    void start() {
         load(0);
         if (isTwofold()) load(1);
-        placeRow(0);
-        if (shape.rows > 1) placeRow(1);
-        if (shape.rows > 2) placeRow(2);
+        forRows([&](int r) { placeRow(r); });
     }
-    [[gnu::always_inline]] inline void warm() {
+    /// Applies the impulses of the last half as a first guess.
+    void warm() {
         start();
-        push(0, row[0].old);
-        if (shape.rows > 1) push(1, row[1].old);
-        if (shape.rows > 2) push(2, row[2].old);
+        forRows([&](int r) { push(r, row[r].old); });
         store(isTwofold() ? 1 : 0);
     }
 
     /// B's wanted velocity relative to A.
-    [[gnu::always_inline]] inline Pair wantedOf(int first) const {
-        const F rate = at(first + N::DriveRate);
+    Pair wantedOf(int first) const {
+        const F rate = at(first + N::Rate);
         const Pair given = turned(link[0].cosMinus1, link[0].sin, at(first + N::StartX), at(first + N::StartY));
         return {given.x - link[0].apart.x * rate, given.y - link[0].apart.y * rate};
     }
     /// Takes back the impulses of the first two rows, and lays them along the velocity that B lacks then, and beside
     /// it.
-    [[gnu::always_inline]] inline void turnToMissing() {
+    void turnToMissing() {
         push(0, -row[0].old);
         push(1, -row[1].old);
         const Pair wanted = wantedOf(shape.first[0]);
@@ -258,12 +250,12 @@ struct SweptLanes {
     }
 
     /// The speed towards a limit that is this far away (see RowCurve).
-    [[gnu::always_inline]] inline F roomSpeed(F room) const {
+    F roomSpeed(F room) const {
         const F back = pass.correct ? larger(room * pass.soft.biasRate, of(-pass.fastest)) : F{};
         return room >= F{} ? room / pass.h : back;
     }
 
-    [[gnu::always_inline]] inline void drive(int r) {
+    void drive(int r) {
         Row& p = row[r];
         const int first = shape.first[r];
         const F w = inverseMass(r), before = speed(r), q = p.coordinate;
@@ -278,12 +270,11 @@ struct SweptLanes {
         if (shape.bounded[r]) {
             impulse = smaller(larger((u - v0) / divisor, -high), high);
         } else {
-            if (pass.correct) p.bend = bendOf(link[0], shape.axis[r], p.axis);
-            if (pass.correct && isTwofold()) p.bend += bendOf(link[1], shape.secondAxis, p.second);
-            F target = at(first + N::DriveSpeed) - at(first + N::DriveRate) * q;
+            const F bend = bendOf(r);
+            F target = at(first + N::Speed) - at(first + N::Rate) * q;
             if (isMissing(r) || shape.axis[r] == RowAxis::Beside) target = dot(p.axis, wantedOf(first));
-            const F upper = p.bend + roomSpeed(at(first + N::LimitUpper) - q);
-            const F lower = smaller(p.bend - roomSpeed(q - at(first + N::LimitLower)), upper);
+            const F upper = bend + roomSpeed(at(first + N::Upper) - q);
+            const F lower = smaller(bend - roomSpeed(q - at(first + N::Lower)), upper);
             target = smaller(larger(target, lower), upper);
             u += smaller(larger((target - u) * (1.0f + growth) / divisor, -high), high) * w * share;
             u = smaller(larger(u, lower), upper);
@@ -295,45 +286,38 @@ struct SweptLanes {
         if (pass.told != nullptr) tell(r, pushed, high, movable ? growth / divisor : F{}, v0 + w * impulse);
     }
 
-    [[gnu::always_inline]] inline void tell(int r, F pushed, F high, F slope, F after) const {
+    void tell(int r, F pushed, F high, F slope, F after) const {
         const Row& p = row[r];
         const F told[] = {p.axis.x,       p.axis.y, p.axis.turnA, p.axis.turnB, p.second.x, p.second.y, p.second.turnA,
                           p.second.turnB, pushed,   high,         slope,        after,      p.old};
         for (int i = 0; i < N::told; ++i) storeLanes(pass.told + (r * N::told + i) * batchLanes, told[i]);
     }
 
-    [[gnu::always_inline]] inline bool isHeld(int r) const { return r < shape.rows && shape.holds[r]; }
-    [[gnu::always_inline]] inline F coupling(int r, int s) const {
+    bool isHeld(int r) const { return r < shape.rows && shape.holds[r]; }
+    F coupling(int r, int s) const {
         if (!isHeld(r) || !isHeld(s)) return F{};
         if (r == s) return inverseMass(r);
         return inverseMass(link[0], row[r].axis, row[s].axis);
     }
-    [[gnu::always_inline]] static inline F inverse(F pivot, F whole) {
+    static F inverse(F pivot, F whole) {
         const auto some = pivot > 1e-7f * whole;
         return some ? 1.0f / (some ? pivot : of(1)) : F{};
     }
 
     /// The rows that hold, by an L D L^T decomposition. Where gaps close at the most allowed speed, the impulses must
     /// not leak: else a load opens them for ever.
-    [[gnu::always_inline]] inline void hold() {
+    void hold() {
         F wanted[3] = {}, squares{}, rate{}, massScale = of(1), leak{};
         if (pass.correct) {
-    #pragma GCC unroll 3
-        for (int r = 0; r < 3; ++r)
-                if (isHeld(r)) squares += row[r].coordinate * row[r].coordinate;
+            forRows([&](int r) { squares += isHeld(r) ? row[r].coordinate * row[r].coordinate : F{}; });
             rate = smaller(of(pass.soft.biasRate), pass.fastest / larger(squareRoot<W>(squares), of(1e-9f)));
             massScale = of(pass.soft.massScale);
             leak = rate < of(pass.soft.biasRate) ? F{} : of(pass.soft.impulseScale);
         }
-#pragma GCC unroll 3
-        for (int r = 0; r < 3; ++r) {
-            if (!isHeld(r)) continue;
-            wanted[r] = speed(r);
-            if (!pass.correct) continue;
-            F bend = bendOf(link[0], shape.axis[r], row[r].axis);
-            if (isTwofold()) bend += bendOf(link[1], shape.secondAxis, row[r].second);
-            wanted[r] += row[r].coordinate * rate - bend;
-        }
+        forRows([&](int r) {
+            if (isHeld(r)) wanted[r] = speed(r);
+            if (isHeld(r) && pass.correct) wanted[r] += row[r].coordinate * rate - bendOf(r);
+        });
         const F k00 = coupling(0, 0), i0 = inverse(k00, k00), l10 = coupling(1, 0) * i0;
         const F k11 = coupling(1, 1), d1 = k11 - l10 * l10 * k00, i1 = inverse(d1, k11);
         F x[3] = {wanted[0] * i0, (wanted[1] - l10 * wanted[0]) * i1, F{}};
@@ -345,17 +329,16 @@ struct SweptLanes {
             x[0] -= l20 * x[2];
         }
         x[0] -= l10 * x[1];
-#pragma GCC unroll 3
-        for (int r = 0; r < 3; ++r) {
-            if (!isHeld(r)) continue;
+        forRows([&](int r) {
+            if (!isHeld(r)) return;
             const F change = -x[r] * massScale - row[r].old * leak;
             push(r, change);
             row[r].old += change;
             if (!Plain && pass.told != nullptr) tell(r, F{}, F{}, F{}, F{});
-        }
+        });
     }
 
-    [[gnu::always_inline]] inline void keep(int r) const {
+    void keep(int r) const {
         const Row& p = row[r];
         const Axis& u = isTwofold() ? p.second : p.axis;
         if (!Plain || !shape.alongY[r]) set(N::LoadX, at(N::LoadX) + (Plain ? p.old : p.old * u.x));
@@ -368,26 +351,24 @@ struct SweptLanes {
         set(N::Impulse + r, kept);
     }
 
-    [[gnu::always_inline]] inline void solve() {
+    void solve() {
         start();
         if (isMissing(0)) turnToMissing();
-#pragma GCC unroll 3
-        for (int r = 0; r < 3; ++r)
-            if (r < shape.rows && !shape.holds[r]) drive(r);
+        forRows([&](int r) {
+            if (!shape.holds[r]) drive(r);
+        });
         hold();
-#pragma GCC unroll 3
-        for (int r = 0; r < 3; ++r)
-            if (r < shape.rows) keep(r);
+        forRows([&](int r) { keep(r); });
         store(isTwofold() ? 1 : 0);
     }
 
-    [[gnu::always_inline]] inline void prepare(const BodyPlace* places) const {
+    void prepare(const BodyPlace* places) const {
         for (int k = 0; k < shape.links; ++k) {
             const RelativeLanes<W> r = relativeLanes<W>(slots(k, false), slots(k, true), places);
             const Rows<W> a = loadRows<W, 16>(&places->highX + 4, slots(k, false));
             const Rows<W> b = loadRows<W, 16>(&places->highX + 4, slots(k, true));
             const int first = N::joint + k * N::link;
-            const auto turn = [&](const Rows<W>& by, int from, int to) __attribute__((always_inline)) {
+            const auto turn = [&](const Rows<W>& by, int from, int to) {
                 const F x = at(from), y = at(from + 1);
                 set(to, by.x * x - by.y * y);
                 set(to + 1, by.y * x + by.x * y);
@@ -399,7 +380,7 @@ struct SweptLanes {
             set(first + N::InverseGyrationA, a.z);
             set(first + N::InverseGyrationB, b.z);
             for (int i = 0; i < shape.rows; ++i) {
-                const int own = shape.first[i], local = k == 0 ? N::LocalX : N::SecondLocalX;
+                const int own = shape.first[i], local = k == 0 ? int{N::LocalX} : int{N::SecondLocalX};
                 if (own > 0 && (k > 0 || !shape.holds[i] || shape.axis[i] == RowAxis::OnA))
                     turn(a, own + local, own + local + 2);
             }
@@ -411,37 +392,31 @@ struct SweptLanes {
 template <int W>
 struct WideSweptJoints {
     template <bool Plain>
-    static void warmLanes(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all) {
-        const SweptPass pass;
-        for (int lane = 0; lane < batchLanes; lane += W)
-            SweptLanes<W, Plain>(batch, fields + lane, bodies + lane, all, pass).warm();
-    }
-    template <bool Plain>
-    static void solveLanes(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all,
-                           SweptPass pass) {
+    [[gnu::flatten]] static void solveAs(const SweptForm& shape, float* fields, const std::uint32_t* bodies,
+                                         const SolverBodies& all, SweptPass pass) {
         for (int lane = 0; lane < batchLanes; lane += W) {
-            SweptLanes<W, Plain>(batch, fields + lane, bodies + lane, all, pass).solve();
+            SweptLanes<W, Plain> lanes{shape, fields + lane, bodies + lane, all, pass};
+            pass.isFirstGuess ? lanes.warm() : lanes.solve();
             if (pass.told != nullptr) pass.told += W;
         }
     }
-
-    static void prepare(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const BodyPlace* places) {
+    static void solve(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all,
+                      const SweptPass& pass) {
+        if (batch.isPlain)
+            solveAs<true>(plainHinge, fields, bodies, all, pass);
+        else
+            solveAs<false>(batch.shape, fields, bodies, all, pass);
+    }
+    [[gnu::flatten]] static void prepare(const SweptBatch& batch, float* fields, const std::uint32_t* bodies,
+                                         const BodyPlace* places) {
         const SolverBodies none;
         const SweptPass pass;
         for (int lane = 0; lane < batchLanes; lane += W)
-            SweptLanes<W, false>(batch, fields + lane, bodies + lane, none, pass).prepare(places);
-    }
-    static void warmStart(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all) {
-        (batch.isPlain ? warmLanes<true> : warmLanes<false>)(batch, fields, bodies, all);
-    }
-    static void solve(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all,
-                      const SweptPass& pass) {
-        (batch.isPlain ? solveLanes<true> : solveLanes<false>)(batch, fields, bodies, all, pass);
+            SweptLanes<W, false>{batch.shape, fields + lane, bodies + lane, none, pass}.prepare(places);
     }
 };
 
 template <int W>
-const SweptKernel WideSweptKernel<W>::code{WideSweptJoints<W>::prepare, WideSweptJoints<W>::warmStart,
-                                           WideSweptJoints<W>::solve};
+const SweptKernel WideSweptKernel<W>::code{WideSweptJoints<W>::prepare, WideSweptJoints<W>::solve};
 
 }  // namespace plumb

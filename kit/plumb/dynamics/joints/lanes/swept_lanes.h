@@ -21,51 +21,22 @@ struct SweptForm {
     bool operator==(const SweptForm&) const = default;
 };
 
-/// The fields of a batch, batchLanes floats each: those of the joint, of its links, and of its rows that need some.
+/// The fields of a batch, batchLanes floats each.
 struct SweptField {
-    enum : int { LoadX, LoadY, LoadTurn, Impulse, joint = Impulse + 3 };  ///< sums over the step; of the last half
-    enum : int {
-        ArmAx,
-        ArmAy,
-        ArmBx,
-        ArmBy,
-        ApartX,
-        ApartY,  ///< at the step's start, from A's anchor to B's [m]
-        InverseGyrationA,
-        InverseGyrationB,
-        LocalAx,
-        LocalAy,
-        LocalBx,
-        LocalBy,
-        ShiftX,
-        ShiftY,  ///< of A's periodic image to B's [m]
-        link
-    };
-    enum : int {
-        Origin,  ///< less the angles at the step's start
-        held,
-        LocalX = held,
-        LocalY,  ///< the direction, in A's frame
-        StartX,
-        StartY,  ///< at the step's start
-        directed,
-        DriveSpeed = directed,
-        DriveRate,
-        MostForce,
-        LimitLower,
-        LimitUpper,
-        Stiffness,
-        Damping,
-        SpringRest,
-        free,
-        SecondLocalX = free,
-        SecondLocalY,
-        SecondStartX,
-        SecondStartY,
-        Ratio,
-        twofold
-    };
-    /// Of each row that the observer is told of.
+    /// Of the joint: sums over the step, and the impulses of the last half.
+    enum : int { LoadX, LoadY, LoadTurn, Impulse, joint = Impulse + 3 };
+    /// Of a link at the step's start: arms, and from A's anchor to B's [m].
+    enum : int { ArmAx, ArmAy, ArmBx, ArmBy, ApartX, ApartY, InverseGyrationA, InverseGyrationB, firstLocal };
+    /// Anchors in the bodies' frames, and from A's periodic image to B's [m].
+    enum : int { LocalAx = firstLocal, LocalAy, LocalBx, LocalBy, ShiftX, ShiftY, link };
+    /// Of a row that is not fixed in the world: its origin, less angles at the step's start; its direction in A's
+    /// frame, and at the step's start.
+    enum : int { Origin, held, LocalX = held, LocalY, StartX, StartY, directed };
+    /// Of one that does not hold (see RowForm).
+    enum : int { Speed = directed, Rate, MostForce, Lower, Upper, Stiffness, Damping, SpringRest, free };
+    /// Of one of two links.
+    enum : int { SecondLocalX = free, SecondLocalY, SecondStartX, SecondStartY, Ratio, twofold };
+    /// What the observer is told of a row.
     enum : int {
         AxisX,
         AxisY,
@@ -107,14 +78,13 @@ struct SweptPass {
     bool correct = true;  ///< before the sub-step: closes gaps too
     float fastest = 0;    ///< greatest speed at which a gap is closed [m/s]
     Softness soft;
-    float* told = nullptr;  ///< for the observer: three rows of each batch
+    bool isFirstGuess = false;  ///< only applies the impulses of the half before
+    float* told = nullptr;      ///< for the observer: three rows of each batch
 };
 
-/// The same three functions for each number of lanes, with bitwise equal results.
+/// The same two functions for each number of lanes, with bitwise equal results.
 struct SweptKernel {
     void (*prepare)(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const BodyPlace* places);
-    /// Applies the impulses of the previous half sub-step as a first guess.
-    void (*warmStart)(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all);
     void (*solve)(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all,
                   const SweptPass& pass);
 };
