@@ -11,6 +11,7 @@
 #pragma once
 #include <plumb/collide/lanes/relative_lanes.h>
 #include <plumb/dynamics/joints/lanes/swept_lanes.h>
+#include <plumb/dynamics/joints/lanes/swept_link_wide.h>
 
 namespace plumb {
 
@@ -19,21 +20,10 @@ template <int W, bool Plain>
 struct SweptLanes {
     using F = typename Wide<W>::Float;
     using N = SweptField;
+    using Link = SweptLink<W>;
+    using Pair = typename Link::Pair;
+    using Axis = typename Link::Axis;
 
-    struct Pair {
-        F x, y;
-    };
-    /// A direction, and its levers about both bodies.
-    struct Axis {
-        F x, y, turnA, turnB;
-    };
-    struct Link {
-        Rows<W> va, vb;
-        F rhoA, rhoB;      ///< inverse radii of gyration
-        Pair a, b, apart;  ///< arms and gap now
-        F cosMinus1, sin;  ///< of the angle that A has turned in this step
-        F angle;           ///< that B has turned more than A
-    };
     struct Row {
         Axis axis, second;
         F old, coordinate;
@@ -63,11 +53,6 @@ struct SweptLanes {
     }
     bool isMissing(int r) const { return !Plain && shape.axis[r] == RowAxis::Missing; }
     bool isTwofold() const { return !Plain && shape.links > 1; }
-    static Pair turned(F cosMinus1, F sin, F x, F y) {
-        return {x + (x * cosMinus1 - y * sin), y + (y * cosMinus1 + x * sin)};
-    }
-    static F dot(const Axis& axis, const Pair& p) { return axis.x * p.x + axis.y * p.y; }
-
     void load(int k) {
         Link& l = link[k];
         const int first = N::joint + k * N::link;
@@ -81,8 +66,8 @@ struct SweptLanes {
         l.cosMinus1 = da.w * l.rhoA;
         const F ax = at(first + N::ArmAx), ay = at(first + N::ArmAy);
         const F bx = at(first + N::ArmBx), by = at(first + N::ArmBy);
-        l.a = turned(l.cosMinus1, l.sin, ax, ay);
-        l.b = turned(db.w * l.rhoB, db.z * l.rhoB, bx, by);
+        l.a = Link::turned(l.cosMinus1, l.sin, ax, ay);
+        l.b = Link::turned(db.w * l.rhoB, db.z * l.rhoB, bx, by);
         l.apart = {at(first + N::ApartX) + ((db.x - da.x) + ((l.b.x - bx) - (l.a.x - ax))),
                    at(first + N::ApartY) + ((db.y - da.y) + ((l.b.y - by) - (l.a.y - ay)))};
         if constexpr (!Plain)
@@ -92,30 +77,6 @@ struct SweptLanes {
     void store(int k) const {
         storeRows<W>(&all.velocity->x, slots(k, false), link[k].va);
         storeRows<W>(&all.velocity->x, slots(k, true), link[k].vb);
-    }
-
-    static Axis axisAt(const Pair& u, const Pair& fromA, const Pair& b) {
-        return {u.x, u.y, fromA.y * u.x - fromA.x * u.y, b.x * u.y - b.y * u.x};
-    }
-    static Pair fromA(const Link& l) { return {l.a.x + l.apart.x, l.a.y + l.apart.y}; }
-    static Pair unit(const Pair& p, float otherwise) {
-        const F length = squareRoot<W>(p.x * p.x + p.y * p.y);
-        const auto some = length > F{};
-        const F divisor = some ? length : of(1);
-        return {some ? p.x / divisor : of(otherwise), some ? p.y / divisor : F{}};
-    }
-    /// field: of the direction at the step's start.
-    Axis axisOf(const Link& l, RowAxis axis, bool alongY, int field) const {
-        if (axis == RowAxis::Turning) return {F{}, F{}, of(-1), of(1)};
-        if (axis == RowAxis::World && !alongY) return {of(1), F{}, l.a.y, -l.b.y};
-        if (axis == RowAxis::World) return {F{}, of(1), -l.a.x, l.b.x};
-        if (axis == RowAxis::OnA) return axisAt(turned(l.cosMinus1, l.sin, at(field), at(field + 1)), fromA(l), l.b);
-        const Pair u = unit(l.apart, axis == RowAxis::Along ? 0 : 1);
-        return axisAt(axis == RowAxis::Across ? Pair{-u.y, u.x} : u, fromA(l), l.b);
-    }
-    static F coordinateOf(const Link& l, RowAxis axis, const Axis& u) {
-        if (axis == RowAxis::Turning) return l.angle;
-        return axis == RowAxis::Across ? F{} : dot(u, l.apart);
     }
 
     /// The speed of a row's part. Only a plain hinge's levers need no products with its direction.
@@ -134,12 +95,6 @@ struct SweptLanes {
         l.va.z += a * l.rhoA * u.turnA;
         l.vb.z += b * l.rhoB * u.turnB;
     }
-    /// What a unit impulse along one axis of a link changes of the speed along another.
-    F inverseMass(const Link& l, const Axis& u, const Axis& w) const {
-        const F a = l.va.w * (l.rhoA * l.rhoA) * (u.turnA * w.turnA),
-                b = l.vb.w * (l.rhoB * l.rhoB) * (u.turnB * w.turnB);
-        return (u.x * w.x + u.y * w.y) * (l.va.w + l.vb.w) + (a + b);
-    }
     /// What the links of a joint add by bodies that they share.
     F sharedInverseMass(const Axis& u, const Axis& w) const {
         const Link& l = link[0];
@@ -154,49 +109,34 @@ struct SweptLanes {
                shared(true, true, l.vb.w, l.rhoB, along, u.turnB * w.turnB);
     }
 
+    Pair startOf(RowAxis axis, int field) const {
+        return axis == RowAxis::OnA ? Pair{at(field), at(field + 1)} : Pair{F{}, F{}};
+    }
     void placeRow(int r) {
         Row& p = row[r];
         p.old = at(N::Impulse + r);
         const int first = shape.first[r];
         if (!Plain && shape.axis[r] >= RowAxis::Missing && shape.axis[r] != RowAxis::Turning) {
             // Its impulse is kept along x, and that of the next row along y: its axis changes from half to half.
-            p.axis = axisAt(isMissing(r) ? Pair{of(1), F{}} : Pair{F{}, of(1)}, fromA(link[0]), link[0].b);
+            p.axis = link[0].axisAt(isMissing(r) ? Pair{of(1), F{}} : Pair{F{}, of(1)});
             return;
         }
-        p.axis = axisOf(link[0], shape.axis[r], shape.alongY[r], first + N::StartX);
-        p.coordinate = Plain ? (shape.alongY[r] ? link[0].apart.y : link[0].apart.x)
-                             : coordinateOf(link[0], shape.axis[r], p.axis);
+        p.axis = link[0].axisOf(shape.axis[r], shape.alongY[r], startOf(shape.axis[r], first + N::StartX));
+        p.coordinate =
+            Plain ? (shape.alongY[r] ? link[0].apart.y : link[0].apart.x) : link[0].coordinateOf(shape.axis[r], p.axis);
         if (!Plain && first > 0) p.coordinate -= at(first + N::Origin);
         if (!isTwofold()) return;
-        p.second = axisOf(link[1], shape.secondAxis, shape.secondAlongY, first + N::SecondStartX);
+        const Pair start = startOf(shape.secondAxis, first + N::SecondStartX);
+        p.second = link[1].axisOf(shape.secondAxis, shape.secondAlongY, start);
         const F ratio = at(first + N::Ratio);
-        p.coordinate += ratio * coordinateOf(link[1], shape.secondAxis, p.second);
+        p.coordinate += ratio * link[1].coordinateOf(shape.secondAxis, p.second);
         p.second = {p.second.x * ratio, p.second.y * ratio, p.second.turnA * ratio, p.second.turnB * ratio};
-    }
-
-    /// By how much a part of a row bends away in the coming sub-step, to second order, divided by h. Turning is limited
-    /// to a tenth of a radian: at larger angles, in a joint that is coming apart, the term would add to the error that
-    /// it should correct.
-    F bendOf(const Link& l, RowAxis axis, const Axis& u) const {
-        if (axis == RowAxis::Turning) return F{};
-        const F h = of(pass.h), most = of(0.1f);
-        const F spinA = l.va.z * l.rhoA, spinB = l.vb.z * l.rhoB;
-        const F turn = smaller(larger(spinA * h, -most), most), turnB = smaller(magnitude(spinB * h), most);
-        const F bendA = 0.5f * turn * turn / h, bendB = 0.5f * turnB * turnB / h;
-        const F bend = dot(u, {l.b.x * bendB - l.a.x * bendA, l.b.y * bendB - l.a.y * bendA});
-        if (axis == RowAxis::World) return bend;
-        const Pair speed{(l.vb.x - l.b.y * spinB) - (l.va.x - l.a.y * spinA),
-                         (l.vb.y + l.b.x * spinB) - (l.va.y + l.a.x * spinA)};
-        const F aside = u.x * speed.y - u.y * speed.x, length = dot(u, l.apart);
-        if (axis == RowAxis::OnA) return bend + length * bendA - turn * aside;
-        const F along = smaller(magnitude(aside * h), length * most);
-        return bend - (length > F{} ? 0.5f * along * along / ((length > F{} ? length : of(1)) * h) : F{});
     }
 
     F bendOf(int r) const {
         if (!pass.correct) return F{};
-        const F bend = bendOf(link[0], shape.axis[r], row[r].axis);
-        return isTwofold() ? bend + bendOf(link[1], shape.secondAxis, row[r].second) : bend;
+        const F bend = link[0].bendOf(shape.axis[r], row[r].axis, of(pass.h));
+        return isTwofold() ? bend + link[1].bendOf(shape.secondAxis, row[r].second, of(pass.h)) : bend;
     }
     F speed(int r) const {
         F sum = speedOf(link[0], r, row[r].axis);
@@ -204,9 +144,9 @@ struct SweptLanes {
         return sum;
     }
     F inverseMass(int r) const {
-        F sum = inverseMass(link[0], row[r].axis, row[r].axis);
+        F sum = link[0].inverseMass(row[r].axis, row[r].axis);
         if (isTwofold())
-            sum += inverseMass(link[1], row[r].second, row[r].second) + sharedInverseMass(row[r].axis, row[r].second);
+            sum += link[1].inverseMass(row[r].second, row[r].second) + sharedInverseMass(row[r].axis, row[r].second);
         return sum;
     }
     /// The two links of a joint may share a body, so its velocity is stored before the second one changes it.
@@ -234,7 +174,7 @@ struct SweptLanes {
     /// B's wanted velocity relative to A.
     Pair wantedOf(int first) const {
         const F rate = at(first + N::Rate);
-        const Pair given = turned(link[0].cosMinus1, link[0].sin, at(first + N::StartX), at(first + N::StartY));
+        const Pair given = Link::turned(link[0].cosMinus1, link[0].sin, at(first + N::StartX), at(first + N::StartY));
         return {given.x - link[0].apart.x * rate, given.y - link[0].apart.y * rate};
     }
     /// Takes back the impulses of the first two rows, and lays them along the velocity that B lacks then, and beside
@@ -243,9 +183,9 @@ struct SweptLanes {
         push(0, -row[0].old);
         push(1, -row[1].old);
         const Pair wanted = wantedOf(shape.first[0]);
-        const Pair u = unit({wanted.x - speed(0), wanted.y - speed(1)}, 1);
-        row[0].axis = axisAt(u, fromA(link[0]), link[0].b);
-        row[1].axis = axisAt({-u.y, u.x}, fromA(link[0]), link[0].b);
+        const Pair u = Link::unit({wanted.x - speed(0), wanted.y - speed(1)}, 1);
+        row[0].axis = link[0].axisAt(u);
+        row[1].axis = link[0].axisAt({-u.y, u.x});
         row[0].old = row[1].old = F{};
     }
 
@@ -272,7 +212,7 @@ struct SweptLanes {
         } else {
             const F bend = bendOf(r);
             F target = at(first + N::Speed) - at(first + N::Rate) * q;
-            if (isMissing(r) || shape.axis[r] == RowAxis::Beside) target = dot(p.axis, wantedOf(first));
+            if (isMissing(r) || shape.axis[r] == RowAxis::Beside) target = Link::dot(p.axis, wantedOf(first));
             const F upper = bend + roomSpeed(at(first + N::Upper) - q);
             const F lower = smaller(bend - roomSpeed(q - at(first + N::Lower)), upper);
             target = smaller(larger(target, lower), upper);
@@ -297,7 +237,7 @@ struct SweptLanes {
     F coupling(int r, int s) const {
         if (!isHeld(r) || !isHeld(s)) return F{};
         if (r == s) return inverseMass(r);
-        return inverseMass(link[0], row[r].axis, row[s].axis);
+        return link[0].inverseMass(row[r].axis, row[s].axis);
     }
     static F inverse(F pivot, F whole) {
         const auto some = pivot > 1e-7f * whole;
@@ -392,8 +332,9 @@ struct SweptLanes {
 template <int W>
 struct WideSweptJoints {
     template <bool Plain>
-    [[gnu::flatten]] static void solveAs(const SweptForm& shape, float* fields, const std::uint32_t* bodies,
+    [[gnu::flatten]] static void solveAs(const SweptBatch& batch, float* fields, const std::uint32_t* bodies,
                                          const SolverBodies& all, SweptPass pass) {
+        const SweptForm& shape = Plain ? plainHinge : batch.shape;
         for (int lane = 0; lane < batchLanes; lane += W) {
             SweptLanes<W, Plain> lanes{shape, fields + lane, bodies + lane, all, pass};
             pass.isFirstGuess ? lanes.warm() : lanes.solve();
@@ -402,10 +343,7 @@ struct WideSweptJoints {
     }
     static void solve(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all,
                       const SweptPass& pass) {
-        if (batch.isPlain)
-            solveAs<true>(plainHinge, fields, bodies, all, pass);
-        else
-            solveAs<false>(batch.shape, fields, bodies, all, pass);
+        (batch.isPlain ? solveAs<true> : solveAs<false>)(batch, fields, bodies, all, pass);
     }
     [[gnu::flatten]] static void prepare(const SweptBatch& batch, float* fields, const std::uint32_t* bodies,
                                          const BodyPlace* places) {
