@@ -184,7 +184,7 @@ TEST_CASE("machines are the same to the bit for any number of lanes", "[dynamics
             if (i >= 20) hinge(grid[grid.size() - 21], at + Vec2(0, 0.25));
             if (i == 0 || i == 19) hinge(frame, at);
         }
-        // Not a plain hinge, so swept by itself.
+        // Not a hinge, so in another batch.
         world.join(DistanceJointDef{.bodyA = grid[25],
                                     .bodyB = grid[68],
                                     .anchorA = world.body(grid[25]).position(),
