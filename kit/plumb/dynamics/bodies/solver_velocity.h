@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who changes a body's velocity in a sub-step? All but the kernels of contacts and swept hinges do it here.
+// Who changes a body's velocity in a sub-step? All but the kernels of contacts and swept joints do it here.
 //
 // Velocities, changes and impulses have three parts: along x, along y, turning.
 #pragma once
