@@ -4,7 +4,6 @@
 #pragma once
 #include <cmath>
 #include <cstring>
-#include <type_traits>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #elif defined(__wasm_simd128__)
