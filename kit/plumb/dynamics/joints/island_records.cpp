@@ -74,6 +74,7 @@ void loadRow(const IslandNumbers& numbers, const RowForm& form, const Rot& rotat
     set(RowField::HalfStiffness, form.spring.stiffness * springShare * (0.5 * h));
     set(RowField::HalfDamping, form.spring.damping * (0.5 * h));
     set(RowField::SpringRest, form.springRest);
+    set(RowField::StopPush, 0);
 }
 
 void loadJoint(const IslandNumbers& numbers, const JointForm& form, const JointRecord& record, const BodyStore& bodies,

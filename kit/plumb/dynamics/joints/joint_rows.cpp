@@ -38,7 +38,7 @@ JointRows rowsOf(const IslandNumbers& numbers, std::size_t j, std::size_t lane, 
         added.holds = layout.rows[i].holds;
         added.bounded = layout.rows[i].bounded;
         if (added.holds) continue;
-        added.push = at(RowField::Push);
+        added.push = at(RowField::Push) + at(RowField::TakenBack);
         added.dampPush = at(RowField::DampPush);
         added.low = at(RowField::Low);
         added.high = at(RowField::High);

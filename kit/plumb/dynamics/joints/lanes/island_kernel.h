@@ -119,6 +119,10 @@ struct RowField {
         UpperStop,
         Push,
         DampPush,
+        Wanted,      ///< the drive's target, if there were no stops
+        Back,        ///< speed at which an error beyond a stop is closed; negative at the upper one
+        StopPush,    ///< what stops have given for that in the half before the sub-step
+        TakenBack,   ///< of it, in this pass
         Slope,       ///< see JointRow
         Growth,      ///< exp(DampedAt) - 1
         DampedAt,    ///< damping, half a sub-step and inverse mass, multiplied

@@ -104,8 +104,10 @@ struct WideIslands : IslandItems<W> {
             const auto wanted = Places::wantedVelocity(row, l, a);
             target = row[R::AxisX] * wanted.x + row[R::AxisY] * wanted.y;
         }
-        const D upper = bend + Curve::roomSpeed(row[R::LimitUpper] - q, turn);
-        const D lower = smaller(bend - Curve::roomSpeed(q - row[R::LimitLower], turn), upper);
+        const D above = Curve::roomSpeed(row[R::LimitUpper] - q, turn);
+        const D below = Curve::roomSpeed(q - row[R::LimitLower], turn);
+        const D upper = bend + above, lower = smaller(bend - below, upper);
+        row.set(R::Back, smaller(above, D{}) - smaller(below, D{}));
         row.set(R::UpperStop, upper);
         row.set(R::LowerStop, lower);
         row.set(R::Target, smaller(larger(target, lower), upper));
@@ -124,10 +126,20 @@ struct WideIslands : IslandItems<W> {
                 slope = late;
             }
         }
+        row.set(R::Wanted, target);
+        row.set(R::TakenBack, takenBack(v, row, turn));
         row.set(R::DampPush, dampPush);
-        row.set(R::Push, push + dampPush);
+        row.set(R::Push, push + dampPush - row[R::TakenBack]);
         row.set(R::Slope, slope);
         row.set(R::State, Curve::validState(row, shape.bounded));
+    }
+
+    /// The half that does not correct takes back what stops gave to close errors: it would else be speed for good.
+    /// Pieces of a sub-step have halves of their own.
+    static D takenBack(const IslandLanes& v, const S& row, const IslandTurn& turn) {
+        const D given = row[R::StopPush];
+        if (turn.correct != turn.onlyHold) row.set(R::StopPush, Elimination<W>::isActive(v) ? D{} : given);
+        return turn.correct ? D{} : given;
     }
 
     /// Returns true if some row came to another part of its curve.
@@ -215,6 +227,32 @@ struct WideIslands : IslandItems<W> {
             b.set(B::Vy, active ? b[B::Uy] : b[B::Vy]);
             b.set(B::Spin, active ? b[B::Uspin] : b[B::Spin]);
         }
+        D back{};
+        for (std::uint32_t i = 0; i < v.rowCount; ++i)
+            if (!v.rows[i].holds) back = larger(back, magnitude(rowOf(v, i)[R::Back]));
+        back = active ? back : D{};
+        if (!anyOf<W>(back > D{})) return;
+        for (std::uint32_t i = 0; i < v.rowCount; ++i)
+            if (!v.rows[i].holds) addStopPush(v, rowOf(v, i), i, back);
+    }
+
+    /// Of what a stop gives, the fastest way back to a stop in the island, as a share of the speed that this stop
+    /// changes, closes errors: one that pulls others along has no error of its own. A drive that presses against the
+    /// stop gives nothing.
+    static void addStopPush(const IslandLanes& v, const S& row, std::uint32_t i, D back) {
+        const D state = row[R::State], wanted = row[R::Wanted], high = row[R::High];
+        const auto isLow = wanted<row[R::LowerStop], isHigh = wanted> row[R::UpperStop];
+        const D pressed = isLow ? all(1) : (isHigh ? all(-1) : D{});
+        const D atTarget = state == all(Curve::atTarget) ? pressed : D{};
+        const D upper = state == all(Curve::atUpperStop) ? all(-1) : atTarget;
+        const D sign = state == all(Curve::atLowerStop) ? all(1) : upper;
+        const D aside = row[R::Push] - row[R::Slope] * Elimination<W>::speedOf(v, i, B::Ux, B::Uspin);
+        const D given = larger(sign * (row[R::Impulse] - aside) - (sign == pressed ? D{} : high), D{});
+        const D change =
+            (sign > D{} ? row[R::LowerStop] : row[R::UpperStop]) - Elimination<W>::speedOf(v, i, B::FreeX, B::FreeSpin);
+        const auto counts = both(both(back > D{}, sign != D{}), high < all(Curve::unlimited));
+        const D share = counts ? back / (counts ? larger(sign * change, back) : all(1)) : D{};
+        row.set(R::StopPush, row[R::StopPush] + (counts ? sign * given * share : D{}));
     }
 
     static void addLoads(const IslandLanes& v) {
