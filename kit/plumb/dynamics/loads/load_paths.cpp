@@ -143,7 +143,7 @@ bool LoadPaths::correct(LoadPath& path, bool isRelax) {
 }
 
 /// The formula of the header. As in single contacts, a gap is closed within the sub-step and has no spring; an overlap
-/// has the bias speed of its spring, at most the push speed, and its compliance.
+/// has the bias speed of its spring, and its compliance, or the push speed without it.
 LoadPaths::Change LoadPaths::changeToSolve(const LoadPath& path, float inverseMass) const {
     float error = speedAlong(path), compliance = 0, least = -std::numeric_limits<float>::infinity();
     for (const LoadRow& row : path.rows) {
@@ -157,7 +157,7 @@ LoadPaths::Change LoadPaths::changeToSolve(const LoadPath& path, float inverseMa
         }
         const ContactPass& pass = passOf(c);
         const float bias = std::max(pass.soft.biasRate * s, -pass.pushSpeed),
-                    rowCompliance = complianceOf(c) / p.normalMass[c.lane];
+                    rowCompliance = bias > -pass.pushSpeed ? complianceOf(c) / p.normalMass[c.lane] : 0;
         error += row.share * (bias + rowCompliance * p.normalImpulse[c.lane]);
         compliance += row.share * row.share * rowCompliance;
     }
