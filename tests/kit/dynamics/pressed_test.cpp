@@ -9,6 +9,55 @@
 #include "kit/usual_world.h"
 using namespace plumb::test;
 
+namespace {
+
+/// How far a box sinks into a light platform that a motor without limit moves [m]. ratio: of their masses.
+double sunkIntoLift(double ratio, double speed, double rate, double size) {
+    World world({.sleeping = false});
+    const BodyId ground = world.add({.type = BodyType::Static});
+    const BodyId platform = world.add({.shapes = {box({size, 0.1 * size}, {.density = 100})}});
+    world.join(PrismaticJointDef{
+        .bodyA = ground, .bodyB = platform, .axis = {0, 1}, .motorSpeed = speed, .maxMotorForce = plumb::unlimited});
+    const double density = ratio * world.body(platform).mass() / (size * size);
+    const BodyId load =
+        world.add({.position = {0, 0.6 * size}, .shapes = {box({0.5 * size, 0.5 * size}, {.density = density})}});
+    double sunk = 0;
+    for (int tick = 0; tick < 2 * rate; ++tick) {
+        world.step(1 / rate);
+        sunk = std::max(sunk, 0.6 * size - (world.body(load).position().y() - world.body(platform).position().y()));
+    }
+    return sunk;
+}
+
+/// The same of a light piston on a crank that a motor without limit turns.
+double sunkIntoPiston(double ratio, double speed, double rate) {
+    World world({.sleeping = false});
+    const BodyId ground = world.add({.type = BodyType::Static});
+    const BodyId piston = world.add({.shapes = {box({1, 0.1}, {.density = 100})}});
+    world.join(PrismaticJointDef{.bodyA = ground, .bodyB = piston, .axis = {0, 1}});
+    const Vec2 pivot(0, -2.2), pin(0.5, -2.2), middle = 0.5 * pin;
+    const auto part = [&](const Vec2& at, plumb::Shape shape) {
+        return world.add(
+            {.position = at, .shapes = {{.shape = shape, .material = {.density = 50}, .filter = {.mask = 0}}}});
+    };
+    const BodyId crank = part(pivot, plumb::Circle{0.5});
+    const BodyId rod = part(middle, plumb::Circle{0.4});
+    world.join(RevoluteJointDef{
+        .bodyA = ground, .bodyB = crank, .anchor = pivot, .motorSpeed = speed, .maxMotorTorque = plumb::unlimited});
+    world.join(RevoluteJointDef{.bodyA = crank, .bodyB = rod, .anchor = pin});
+    world.join(RevoluteJointDef{.bodyA = rod, .bodyB = piston, .anchor = Vec2(0, 0)});
+    const double density = ratio * world.body(piston).mass();
+    const BodyId load = world.add({.position = {0, 0.6}, .shapes = {box({0.5, 0.5}, {.density = density})}});
+    double sunk = 0;
+    for (int tick = 0; tick < 2 * rate; ++tick) {
+        world.step(1 / rate);
+        sunk = std::max(sunk, 0.6 - (world.body(load).position().y() - world.body(piston).position().y()));
+    }
+    return sunk;
+}
+
+}  // namespace
+
 TEST_CASE("a box pressed by 100 to 100,000 times its weight rests", "[dynamics][contacts]") {
     for (const int subSteps : {2, 4, 8})
         for (const double rate : {60.0, 240.0})
@@ -20,5 +69,15 @@ TEST_CASE("a box pressed by 100 to 100,000 times its weight rests", "[dynamics][
                 for (int tick = 0; tick < rate; ++tick) world.step(1 / rate);
                 CHECK(world.body(pressed).position().y() > 1);
                 CHECK(std::fabs(world.body(pressed).velocity().y()) < 1e-2);
+            }
+}
+
+TEST_CASE("a lift under 100 to 10,000 times its mass sinks in by less than 3 mm", "[dynamics][joints][machines]") {
+    for (const double ratio : {100.0, 300.0, 1000.0, 3000.0, 10000.0})
+        for (const double speed : {-1.0, 0.0, 1.0})
+            for (const double rate : {30.0, 60.0, 240.0}) {
+                CAPTURE(ratio, speed, rate);
+                for (const double size : {0.2, 1.0, 5.0}) CHECK(sunkIntoLift(ratio, speed, rate, size) < 3e-3);
+                CHECK(sunkIntoPiston(ratio, speed, rate) < 3e-3);
             }
 }
