@@ -56,6 +56,38 @@ double sunkIntoPiston(double ratio, double speed, double rate) {
     return sunk;
 }
 
+/// Does a spring of this frequency pull a body through a wall? Its target is 1 to 10 m behind it, and jumps.
+bool isPulledThrough(unsigned seed, double frequency) {
+    std::mt19937 random(seed);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * std::uniform_real_distribution<double>(0, 1)(random);
+    };
+    const double size = std::exp(between(std::log(0.05), 0)), wall = std::exp(between(std::log(0.05), 0));
+    const double behind = 0.5 * wall + between(1, 10);
+    World world({.sleeping = false});
+    world.add({.type = BodyType::Static, .shapes = {box({0.5 * wall, 50})}});
+    BodyDef def{.position = {-0.5 * wall - size * between(2, 4.5), between(-1, 1)}, .angle = between(-3, 3)};
+    if (seed % 3 == 0) def.shapes = {circle(size)};
+    if (seed % 3 == 1) def.shapes = {box({size, size * between(0.3, 1)})};
+    if (seed % 3 == 2)
+        for (const double x : {-0.6, 0.6}) def.shapes.push_back({.shape = plumb::Circle{0.4 * size, {x * size, 0}}});
+    const BodyId body = world.add(def);
+    TargetJointDef drag{.body = body,
+                        .anchor = def.position + size * Vec2(between(-0.5, 0.5), between(-0.5, 0.5)),
+                        .target = Vec2(behind, between(-3, 3)),
+                        .spring = plumb::springOf(frequency, 0.7, world.body(body).mass())};
+    const JointId joint = world.join(drag);
+    for (int tick = 1; tick <= 180; ++tick) {
+        world.step(dt);
+        if (world.body(body).position().x() > 0) return true;
+        if (tick % 20 != 0) continue;
+        drag = std::get<TargetJointDef>(world.joint(joint).def());
+        drag.target = Vec2(behind, between(-5, 5));
+        world.joint(joint).set(drag);
+    }
+    return false;
+}
+
 }  // namespace
 
 TEST_CASE("a box pressed by 100 to 100,000 times its weight rests", "[dynamics][contacts]") {
@@ -80,4 +112,13 @@ TEST_CASE("a lift under 100 to 10,000 times its mass sinks in by less than 3 mm"
                 for (const double size : {0.2, 1.0, 5.0}) CHECK(sunkIntoLift(ratio, speed, rate, size) < 3e-3);
                 CHECK(sunkIntoPiston(ratio, speed, rate) < 3e-3);
             }
+}
+
+TEST_CASE("a mouse spring of 15 to 50 Hz pulls no body through a wall", "[dynamics][joints][walls]") {
+    for (const double frequency : {15.0, 30.0, 50.0}) {
+        int passed = 0;
+        for (unsigned seed = 0; seed < 200; ++seed) passed += isPulledThrough(seed, frequency) ? 1 : 0;
+        CAPTURE(frequency);
+        CHECK(passed == 0);
+    }
 }

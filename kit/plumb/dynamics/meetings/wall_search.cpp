@@ -15,10 +15,6 @@ namespace plumb {
 
 namespace {
 
-/// A body may be this deep in a wall, as a share of its inradius [-], and at most deepest [m]: up to there, springs of
-/// contacts push it out. Deeper, the nearest way out might be on the other side.
-constexpr double deepShare = 0.25;
-constexpr double deepest = 0.02;
 /// A body is stopped at this distance from the wall [m]: several times the tolerance of the search, so that it does not
 /// begin its next move in overlap.
 constexpr double skin = 1e-4;
@@ -50,7 +46,7 @@ public:
             moving_.sweep = partOf(moving_.sweep, part.first, part.last);
         }
         const double inradius = inradiusOf(*moving_.shape);
-        deep_ = std::min(deepShare * inradius, deepest);
+        deep_ = deepIn(inradius);
         // The largest disc in the shape cannot have come to the other side if it moved by less than its radius.
         if (travel <= inradius && separationAt(1) > skin - deep_) return;
         const double start = separationAt(0);

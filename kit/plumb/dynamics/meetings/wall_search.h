@@ -4,6 +4,7 @@
 // A wall is any static or kinematic body. A body has gone through it if it has crossed it, or if it is so deep in it
 // that the way out is on the wrong side.
 #pragma once
+#include <algorithm>
 #include <optional>
 
 #include <plumb/dynamics/bodies/free_motion.h>
@@ -11,6 +12,12 @@
 #include <plumb/space/detail/space.h>
 
 namespace plumb {
+
+/// A body may be as deep as this in a wall: a quarter of its inradius, and at most 2 cm. Up to there, springs of
+/// contacts push it out; deeper, the nearest way out might be on the other side [m].
+inline double deepIn(double inradius) {
+    return std::min(0.25 * inradius, 0.02);
+}
 
 /// The stores that the search reads.
 struct WallView {

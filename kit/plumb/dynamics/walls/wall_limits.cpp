@@ -33,6 +33,25 @@ public:
         }
     }
 
+    /// A spring that pulls a body slowly into a wall would pull it through in many steps: where the body is deep
+    /// already, each of its paths is searched. Not what other bodies press in: a chain under a heavy box jumps when it
+    /// is stopped there (tried).
+    void lowerWhereDeep(const ContactGraph& graph, const JointStore& joints) {
+        for (std::size_t index = 0; index < graph.colours.size(); ++index) {
+            if (!isOfGround(index)) continue;
+            const auto& colour = graph.colours[index];
+            for (std::size_t i = 0; i < colour.contactOf.size(); ++i) {
+                const ContactBatch& batch = colour.batches[i / batchLanes];
+                const std::size_t lane = i % batchLanes;
+                const float s = std::min(batch.points[0].separation[lane], batch.points[1].separation[lane]);
+                if (!(s < 0)) continue;
+                for (const BodyIndex body : {batch.bodyA[lane], batch.bodyB[lane]})
+                    if (-static_cast<double>(s) > deepIn(bodies_.record[body].inradius) && isSprung(joints, body))
+                        bodies_.turn[body].farSpeedSquared = -1;
+            }
+        }
+    }
+
     /// What matters is the motion relative to a wall, so a wall that moves takes its part of the distance that a body
     /// may move unseen. Only contacts are asked: bounds hold the predicted paths of both, so what a wall may reach has
     /// one.
@@ -47,6 +66,12 @@ public:
     }
 
 private:
+    bool isSprung(const JointStore& joints, BodyIndex body) const {
+        const auto& own = bodies_.links[body].joints;
+        return bodies_.isDynamic(body) &&
+               std::any_of(own.begin(), own.end(), [&](JointIndex joint) { return joints.hasSpring(joint); });
+    }
+
     bool isFarFromWalls(BodyIndex body, double distance) const {
         const Vec2& center = bodies_.motion[body].center;
         const Aabb box = inflate({center, center}, bodies_.record[body].boundingRadius + distance);
@@ -86,10 +111,12 @@ private:
 
 }  // namespace
 
-void limitByWalls(BodyStore& bodies, const ContactStore& contacts, const Space& space, double dt) {
+void limitByWalls(BodyStore& bodies, const ContactStore& contacts, const ContactGraph& graph, const JointStore& joints,
+                  const Space& space, double dt) {
     WallLimits limits(bodies, contacts, space, dt);
     limits.raise();
     limits.lowerBesideMoving();
+    limits.lowerWhereDeep(graph, joints);
 }
 
 }  // namespace plumb

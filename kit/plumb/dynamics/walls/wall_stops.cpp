@@ -60,7 +60,8 @@ WallStops::WallStops(WallStopStores stores, double h)
 bool WallStops::hasMovedFar(BodyIndex body) const {
     const BodyRecord& record = bodies_.record[body];
     const SolverVelocity& v = bodies_.velocity[body];
-    return travelOf(shiftOf(v, 1), turnBy(bodies_, body, v, 1), record) * bodies_.lastStep > farShare * record.inradius;
+    return isDeep(body) ||
+           travelOf(shiftOf(v, 1), turnBy(bodies_, body, v, 1), record) * bodies_.lastStep > farShare * record.inradius;
 }
 
 /// The place from which a slow body has moved, computed back from where it is now. Of a fast one, rounding would change
@@ -243,7 +244,8 @@ void WallStops::search(const Mover& mover, const StepPart& part, Hit& first) con
     if (!bodies_.isDynamic(body)) return;
     const BodyRecord& record = bodies_.record[body];
     const SolverVelocity& v = bodies_.velocity[body];
-    const double left = part.to - part.from, far = farShare * record.inradius * left / bodies_.lastStep;
+    const double left = part.to - part.from,
+                 far = isDeep(body) ? 0 : farShare * record.inradius * left / bodies_.lastStep;
     const Sweep sweep{mover.center, shiftOf(v, left), mover.angle, turnBy(bodies_, body, v, left), record.localCenter};
     WallSearch search(view_, body, sweep, part, far);
     if (travelOf(sweep.shift, sweep.turn, record) > far) search.searchStatic();

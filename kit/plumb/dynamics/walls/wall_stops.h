@@ -58,6 +58,7 @@ private:
         WallHit at;
     };
 
+    bool isDeep(BodyIndex body) const { return bodies_.turn[body].farSpeedSquared < 0; }  ///< in a wall
     bool hasMovedFar(BodyIndex body) const;
     Mover moverOf(BodyIndex body) const;
     void add(const Mover& mover);
