@@ -202,3 +202,21 @@ TEST_CASE("the hinges of a net bear nothing of a disc that leaves the range of n
         }
     }
 }
+
+TEST_CASE("swept nets of any width hang with gaps below half a per cent of a link", "[dynamics][joints]") {
+    for (const int size : {9, 13, 20, 27, 35}) {
+        World world({.sleeping = false});
+        const Net net(world, {0, 0}, size, size);
+        const BodyId beam = world.add({.type = BodyType::Static});
+        std::vector<JointId> hinges = net.hinges;
+        for (int column = 0; column < size; ++column)
+            if (std::abs(2 * column + 1 - size) <= 3)
+                hinges.push_back(world.join(RevoluteJointDef{
+                    .bodyA = beam, .bodyB = net.disc(column, 0), .anchor = {static_cast<double>(column), 0.5}}));
+        for (int tick = 0; tick < 600; ++tick) world.step(dt);
+        double open = 0;
+        for (const JointId hinge : hinges) open = std::max(open, world.joint(hinge).error());
+        INFO(size << " x " << size << ": " << open << " m");
+        CHECK(open < 0.005);
+    }
+}

@@ -39,7 +39,9 @@ private:
     StepList<std::span<JointIsland*>> cutBatches(StepList<JointIsland*>& order);
     void loadBatches();
     std::size_t sortBodies(StepList<BodyIndex>& solved);
-    void sweep(const HalfStep& half);
+    void sweep(JointIsland& island, const HalfStep& half);
+    template <class Visit>
+    void forEachSwept(Visit&& visit);
     IslandTurn turnOf(const HalfStep& half) const;
     template <class Change>
     void reportGround(const std::vector<BodyIndex>& bodies, Change&& change);
@@ -53,6 +55,7 @@ private:
     std::vector<std::uint32_t> islandOf_;  ///< of each body; none: in no island, or in a swept one
     JointBounces bounces_;
     JointedContacts contacts_;
+    bool flying_ = false;  ///< in fly
     bool inHalf_ = false;  ///< from solve to respondToContacts
 };
 

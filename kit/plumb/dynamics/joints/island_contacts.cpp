@@ -2,7 +2,6 @@
 #include <plumb/dynamics/joints/island_contacts.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace plumb {
 
@@ -36,15 +35,12 @@ void addImpulse(const IslandNumbers& numbers, const BodyStore& bodies, std::size
             static_cast<double>(change.w) * inverseGyration * at(BodyField::ContactInertia) / at(BodyField::Inertia);
 }
 
-/// Is the row at a stop that pushes against the contacts of its bodies, or does its motor hold its speed? A stop that
-/// pushes the same way as they do opens if they push more.
+/// Is the row at a stop that pushes against the contacts of its bodies, or does a motor without limit hold its speed? A
+/// stop that pushes the same way as they do opens if they push more.
 bool isLoadedStop(const IslandNumbers& numbers, std::size_t i, std::size_t lane) {
     constexpr double target = 0, lowerStop = 3, upperStop = 4;  // see island_curve_wide.h
     const double state = numbers.row(i, RowField::State, lane);
-    if (state == target) {
-        const double impulse = numbers.row(i, RowField::Impulse, lane) - numbers.row(i, RowField::Push, lane);
-        return !numbers.layout->rows[i].bounded && std::fabs(impulse) < 0.5 * numbers.row(i, RowField::High, lane);
-    }
+    if (state == target) return !numbers.layout->rows[i].bounded && numbers.row(i, RowField::High, lane) == unlimited;
     if (state < lowerStop) return false;
     const double sign = state == upperStop ? -1 : 1;
     double against = 0;

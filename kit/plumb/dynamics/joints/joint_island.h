@@ -2,6 +2,7 @@
 // Which joints are connected through bodies, and so are solved together?
 #pragma once
 #include <plumb/dynamics/joints/swept_joints.h>
+#include <plumb/dynamics/joints/swept_pieces.h>
 
 namespace plumb {
 
@@ -27,7 +28,9 @@ struct JointIsland {
     std::shared_ptr<const IslandLayout> layout;
     JointBatch* batch = nullptr;  ///< in this step, if it is not swept
     std::size_t lane = 0;
-    SweptJoints sweptJoints;  ///< used when swept
+    SweptJoints sweptJoints;  ///< used when swept, as what follows
+    SweptPieces sweptPieces;
+    std::size_t levels = 0;  ///< bodies from what holds it to the farthest one
 
     bool isSwept() const { return layout->isSwept; }
     BodyIndex bodyAt(std::size_t node) const {

@@ -3,12 +3,36 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include <plumb/math/detail/disjoint_sets.h>
 
 namespace plumb {
 
 namespace {
+
+/// How many bodies lie on the shortest way from those that impulses do not move to the farthest one, with both; of an
+/// island without any, half of those from its first body.
+std::size_t levelsOf(std::size_t moved, std::size_t all, const std::vector<LaidJoint>& laid) {
+    std::vector<std::vector<std::uint32_t>> beside(all);
+    for (const LaidJoint& joint : laid)
+        for (std::size_t k = 0; k < joint.form.links; ++k) {
+            beside[joint.link[k].a].push_back(joint.link[k].b);
+            beside[joint.link[k].b].push_back(joint.link[k].a);
+        }
+    std::vector<std::size_t> level(all, none);
+    std::vector<std::uint32_t> order(std::max(all - moved, std::size_t{1}));
+    std::iota(order.begin(), order.end(), static_cast<std::uint32_t>(moved < all ? moved : 0));
+    for (const std::uint32_t node : order) level[node] = 0;
+    for (std::size_t i = 0; i < order.size(); ++i)
+        for (const std::uint32_t other : beside[order[i]])
+            if (level[other] == none) {
+                level[other] = level[order[i]] + 1;
+                order.push_back(other);
+            }
+    const std::size_t most = level[order.back()] + 1;
+    return moved < all ? most : most / 2;
+}
 
 /// Numbers the bodies of an island, and finds its layout. Bodies are numbered in the order in which its joints name
 /// them, and those that impulses do not move after all others: so islands that are built alike get equal numbers, share
@@ -37,10 +61,12 @@ public:
                                      allTurn, laid);
         for (std::uint32_t j = 0; j < laid.size(); ++j)
             if (laid[j].form.hasSpring()) island.sprung.push_back(j);
-        if (island.isSwept())
+        if (island.isSwept()) {
             island.sweptJoints.take(island.joints, laid, joints_, bodies_);
-        else
+            island.levels = levelsOf(island.bodies.size(), all, laid);
+        } else {
             island.laid = std::move(laid);
+        }
         for (const std::vector<BodyIndex>* some : {&island.bodies, &island.held})
             for (const BodyIndex body : *some) nodeOf_[body] = none;
     }

@@ -298,7 +298,9 @@ private:
 /// must be at rest. The limits of speed are set before the solver is made, because its list of bodies depends on them.
 TouchEvents solveConstraints(SolverStores stores, double dt) {
     stores.bodies.rest(noBody);
-    if (stores.hasWalls) limitByWalls(stores.bodies, stores.contacts, stores.graph, stores.joints, stores.space, dt);
+    if (stores.hasWalls)
+        limitByWalls({stores.bodies, stores.contacts, stores.graph, stores.joints, stores.jointSolver, stores.space},
+                     dt);
     Solver solver(stores, dt);
     solver.run(dt);
     TouchEvents touches;

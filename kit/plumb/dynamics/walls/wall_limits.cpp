@@ -36,20 +36,11 @@ public:
     /// A spring that pulls a body slowly into a wall would pull it through in many steps: where the body is deep
     /// already, each of its paths is searched. Not what other bodies press in: a chain under a heavy box jumps when it
     /// is stopped there (tried).
-    void lowerWhereDeep(const ContactGraph& graph, const JointStore& joints) {
-        for (std::size_t index = 0; index < graph.colours.size(); ++index) {
-            if (!isOfGround(index)) continue;
-            const auto& colour = graph.colours[index];
-            for (std::size_t i = 0; i < colour.contactOf.size(); ++i) {
-                const ContactBatch& batch = colour.batches[i / batchLanes];
-                const std::size_t lane = i % batchLanes;
-                const float s = std::min(batch.points[0].separation[lane], batch.points[1].separation[lane]);
-                if (!(s < 0)) continue;
-                for (const BodyIndex body : {batch.bodyA[lane], batch.bodyB[lane]})
-                    if (-static_cast<double>(s) > deepIn(bodies_.record[body].inradius) && isSprung(joints, body))
-                        bodies_.turn[body].farSpeedSquared = -1;
-            }
-        }
+    void lowerWhereDeep(const ContactGraph& graph, const JointStore& joints, std::span<const JointIsland> islands) {
+        for (const JointIsland& island : islands)
+            for (const std::uint32_t j : island.sprung)
+                for (const BodyIndex body : {joints[island.joints[j]].bodyA, joints[island.joints[j]].bodyB})
+                    if (isDeep(graph, body)) bodies_.turn[body].farSpeedSquared = -1;
     }
 
     /// What matters is the motion relative to a wall, so a wall that moves takes its part of the distance that a body
@@ -66,10 +57,16 @@ public:
     }
 
 private:
-    bool isSprung(const JointStore& joints, BodyIndex body) const {
-        const auto& own = bodies_.links[body].joints;
-        return bodies_.isDynamic(body) &&
-               std::any_of(own.begin(), own.end(), [&](JointIndex joint) { return joints.hasSpring(joint); });
+    bool isDeep(const ContactGraph& graph, BodyIndex body) const {
+        double separation = 0;
+        if (!bodies_.isDynamic(body) || !bodies_.record[body].awake) return false;
+        forEachContact(bodies_, view_.contacts, body, [&](ContactIndex index) {
+            if (!view_.contacts[index].isSolved() || !isOfGround(view_.contacts[index].colour)) return;
+            const ConstContactLane at = graph.laneOf(view_.contacts[index]);
+            for (const PointLanes& point : at.batch.points)
+                separation = std::min(separation, static_cast<double>(point.separation[at.lane]));
+        });
+        return -separation > deepIn(bodies_.record[body].inradius);
     }
 
     bool isFarFromWalls(BodyIndex body, double distance) const {
@@ -111,12 +108,11 @@ private:
 
 }  // namespace
 
-void limitByWalls(BodyStore& bodies, const ContactStore& contacts, const ContactGraph& graph, const JointStore& joints,
-                  const Space& space, double dt) {
-    WallLimits limits(bodies, contacts, space, dt);
+void limitByWalls(const WallLimitStores& stores, double dt) {
+    WallLimits limits(stores.bodies, stores.contacts, stores.space, dt);
     limits.raise();
     limits.lowerBesideMoving();
-    limits.lowerWhereDeep(graph, joints);
+    limits.lowerWhereDeep(stores.graph, stores.joints, stores.jointSolver.islands());
 }
 
 }  // namespace plumb

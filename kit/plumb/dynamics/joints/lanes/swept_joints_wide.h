@@ -56,12 +56,25 @@ struct SweptLanes {
     void load(int k) {
         Link& l = link[k];
         const int first = N::joint + k * N::link;
-        const Rows<W> da = loadRows<W>(&all.displacement->x, slots(k, false));
-        const Rows<W> db = loadRows<W>(&all.displacement->x, slots(k, true));
         l.va = loadRows<W>(&all.velocity->x, slots(k, false));
         l.vb = loadRows<W>(&all.velocity->x, slots(k, true));
         l.rhoA = at(first + N::InverseGyrationA);
         l.rhoB = at(first + N::InverseGyrationB);
+        if (pass.hasMoved && pass.isFirstGuess) findPlace(k);
+        l.a = {at(first + N::NowAx), at(first + N::NowAy)};
+        l.b = {at(first + N::NowBx), at(first + N::NowBy)};
+        l.apart = {at(first + N::NowApartX), at(first + N::NowApartY)};
+        if constexpr (Plain) return;
+        l.cosMinus1 = at(first + N::CosMinus1);
+        l.sin = at(first + N::Sin);
+        l.angle = at(first + N::Angle);
+    }
+    /// Once for all passes between two moves.
+    void findPlace(int k) {
+        Link l = link[k];
+        const int first = N::joint + k * N::link;
+        const Rows<W> da = loadRows<W>(&all.displacement->x, slots(k, false));
+        const Rows<W> db = loadRows<W>(&all.displacement->x, slots(k, true));
         l.sin = da.z * l.rhoA;
         l.cosMinus1 = da.w * l.rhoA;
         const F ax = at(first + N::ArmAx), ay = at(first + N::ArmAy);
@@ -70,9 +83,13 @@ struct SweptLanes {
         l.b = Link::turned(db.w * l.rhoB, db.z * l.rhoB, bx, by);
         l.apart = {at(first + N::ApartX) + ((db.x - da.x) + ((l.b.x - bx) - (l.a.x - ax))),
                    at(first + N::ApartY) + ((db.y - da.y) + ((l.b.y - by) - (l.a.y - ay)))};
-        if constexpr (!Plain)
-            l.angle =
-                loadRows<W>(&all.turn->angle, slots(k, true)).x - loadRows<W>(&all.turn->angle, slots(k, false)).x;
+        const F now[] = {l.a.x, l.a.y, l.b.x, l.b.y, l.apart.x, l.apart.y};
+        for (int i = 0; i < 6; ++i) set(first + N::NowAx + i, now[i]);
+        if constexpr (Plain) return;
+        set(first + N::CosMinus1, l.cosMinus1);
+        set(first + N::Sin, l.sin);
+        set(first + N::Angle,
+            loadRows<W>(&all.turn->angle, slots(k, true)).x - loadRows<W>(&all.turn->angle, slots(k, false)).x);
     }
     void store(int k) const {
         storeRows<W>(&all.velocity->x, slots(k, false), link[k].va);

@@ -28,7 +28,9 @@ struct SweptField {
     /// Of a link at the step's start: arms, and from A's anchor to B's [m].
     enum : int { ArmAx, ArmAy, ArmBx, ArmBy, ApartX, ApartY, InverseGyrationA, InverseGyrationB, firstLocal };
     /// Anchors in the bodies' frames, and from A's periodic image to B's [m].
-    enum : int { LocalAx = firstLocal, LocalAy, LocalBx, LocalBy, ShiftX, ShiftY, link };
+    enum : int { LocalAx = firstLocal, LocalAy, LocalBx, LocalBy, ShiftX, ShiftY, firstNow };
+    /// Arms and gap now; and what A has turned in this step, and B more than A.
+    enum : int { NowAx = firstNow, NowAy, NowBx, NowBy, NowApartX, NowApartY, CosMinus1, Sin, Angle, link };
     /// Of a row that is not fixed in the world: its origin, less angles at the step's start; its direction in A's
     /// frame, and at the step's start.
     enum : int { Origin, held, LocalX = held, LocalY, StartX, StartY, directed };
@@ -74,9 +76,10 @@ struct alignas(64) SweptSlots {
 };
 
 struct SweptPass {
-    float h = 0;          ///< of the sub-step [s]
-    bool correct = true;  ///< before the sub-step: closes gaps too
-    float fastest = 0;    ///< greatest speed at which a gap is closed [m/s]
+    float h = 0;           ///< of the sub-step [s]
+    bool correct = true;   ///< before the sub-step: closes gaps too
+    bool hasMoved = true;  ///< since the last half
+    float fastest = 0;     ///< greatest speed at which a gap is closed [m/s]
     Softness soft;
     bool isFirstGuess = false;  ///< only applies the impulses of the half before
     float* told = nullptr;      ///< for the observer: three rows of each batch
