@@ -105,8 +105,11 @@ void drawNumbers(Random& random, KernelNumbers& lanes, bool allTurn = false) {
         if (!layout.rows[i].holds) drawCurve(random, lanes, i);
     }
     const DenseRows dense(lanes);
-    for (std::size_t i = 0; i < layout.rows.size(); ++i)
-        lanes.row(i, RowField::InverseMass) = dense.inverseMassOf(static_cast<Eigen::Index>(i));
+    for (std::size_t i = 0; i < layout.rows.size(); ++i) {
+        const double inverseMass = dense.inverseMassOf(static_cast<Eigen::Index>(i));
+        lanes.row(i, RowField::InverseMass) = inverseMass;
+        lanes.row(i, RowField::Compliance) = inverseMass > 0 ? lanes.view.compliance * inverseMass : -1;
+    }
 }
 
 /// By how much velocities and impulses differ from M u - J^T L = 0, J u + e L = what rows lack; as a share of the

@@ -230,7 +230,9 @@ void IslandSolver::fly(FunctionRef<void(StepList<BodyIndex>& bodies, int subStep
 }
 
 IslandTurn IslandSolver::turnOf(const HalfStep& half) const {
-    return {stores_.h, half.correct, false, stores_.settings.contactPushSpeed};
+    IslandTurn turn{stores_.h, half.correct, false, stores_.settings.contactPushSpeed};
+    turn.isLast = half.isLast;
+    return turn;
 }
 
 void IslandSolver::move() {

@@ -24,14 +24,14 @@ bool isHeavy(const IslandNumbers& numbers, const BodyStore& bodies, std::size_t 
 /// Adds the impulse of contacts to the free velocity. change: by that impulse, in the record, at the mass that contacts
 /// see.
 void addImpulse(const IslandNumbers& numbers, const BodyStore& bodies, std::size_t n, std::size_t lane,
-                const SolverVelocity& change) {
+                const SolverVelocity& change, int velocity = BodyField::FreeX) {
     const auto at = [&](int field) -> double& { return numbers.body(n, field, lane); };
     const double inverseGyration = static_cast<double>(bodies.turn[numbers.movedBody(n, lane)].inverseGyration);
     const double massRatio = at(BodyField::ContactMass) / at(BodyField::Mass);
-    at(BodyField::FreeX) += static_cast<double>(change.x) * massRatio;
-    at(BodyField::FreeY) += static_cast<double>(change.y) * massRatio;
+    at(velocity) += static_cast<double>(change.x) * massRatio;
+    at(velocity + 1) += static_cast<double>(change.y) * massRatio;
     if (at(BodyField::Inertia) > 0)
-        at(BodyField::FreeSpin) +=
+        at(velocity + 2) +=
             static_cast<double>(change.w) * inverseGyration * at(BodyField::ContactInertia) / at(BodyField::Inertia);
 }
 
@@ -135,7 +135,8 @@ void IslandContacts::addFirstGuess(const IslandNumbers& numbers, const BodyStore
     for (const Touching& t : touching_) addImpulse(numbers, bodies, t.node, t.lane, bodies.warm[t.body]);
 }
 
-void IslandContacts::takeImpulses(const IslandNumbers& numbers, BodyStore& bodies, LaneFlags& touched) const {
+void IslandContacts::takeImpulses(const IslandNumbers& numbers, BodyStore& bodies, LaneFlags& touched,
+                                  const LaneFlags& toPresent) const {
     for (const Touching& t : touching_) {
         const SolverVelocity now = bodies.velocity[t.body], before = bodies.before[t.body];
         if (now.x == before.x && now.y == before.y && now.w == before.w) continue;
@@ -145,6 +146,7 @@ void IslandContacts::takeImpulses(const IslandNumbers& numbers, BodyStore& bodie
         warm = {warm.x + change.x, warm.y + change.y, warm.w + change.w, 0};
         bodies.before[t.body] = now;
         addImpulse(numbers, bodies, t.node, t.lane, change);
+        if (toPresent[t.lane] != 0) addImpulse(numbers, bodies, t.node, t.lane, change, BodyField::Vx);
     }
 }
 

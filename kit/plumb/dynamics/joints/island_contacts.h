@@ -28,8 +28,10 @@ public:
     /// Lets the contacts' first guess act on the free velocities.
     void addFirstGuess(const IslandNumbers& numbers, const BodyStore& bodies) const;
     /// After contacts were solved: adds what they have changed in the bodies' records to the free velocities and to the
-    /// next first guess. touched: gets the lanes in which there was something.
-    void takeImpulses(const IslandNumbers& numbers, BodyStore& bodies, LaneFlags& touched) const;
+    /// next first guess; in some lanes to the present velocities, too. touched: gets the lanes in which there was
+    /// something.
+    void takeImpulses(const IslandNumbers& numbers, BodyStore& bodies, LaneFlags& touched,
+                      const LaneFlags& toPresent) const;
 
     /// Before contacts are solved: adds the bodies that they shall see with another mass than before. first: in this
     /// step.

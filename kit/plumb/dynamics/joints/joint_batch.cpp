@@ -63,6 +63,11 @@ void JointBatch::findSolution(const IslandTurn& turn, const LaneFlags& lanes, do
     numbers.active = lanes;
     numbers.kernel->guess(numbers.view, change);
     numbers.kernel->prepare(numbers.view, turn);
+    solvePrepared(turn, lanes);
+}
+
+void JointBatch::solvePrepared(const IslandTurn& turn, const LaneFlags& lanes) {
+    numbers.active = lanes;
     numbers.kernel->solve(numbers.view);
     if (turn.closesGaps()) predict(turn);
     numbers.active = lanes;
@@ -118,11 +123,20 @@ void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn) {
     writeVelocities(numbers, bodies);
 }
 
+/// After the half that does not correct, the next half solves for what contacts have given, too: the rows do not move
+/// in between. Heavy islands may not wait: a light body would have the speed of all that the machine was given. Rows
+/// that hold want what they wanted before contacts.
 LaneFlags JointBatch::respondToContacts(BodyStore& bodies, const IslandTurn& turn) {
-    LaneFlags touched = std::exchange(pushed_, LaneFlags{});
-    contacts.takeImpulses(numbers, bodies, touched);
+    const LaneFlags pushed = std::exchange(pushed_, LaneFlags{});
+    LaneFlags touched = pushed, waits{}, prepared{}, others{};
+    for (std::size_t lane = 0; lane < numbers.width && !turn.correct && !turn.isLast; ++lane)
+        waits[lane] = pushed[lane] == 0 && numbers.heavy[lane] == 0 ? 1 : 0;
+    contacts.takeImpulses(numbers, bodies, touched, waits);
     if (touched == LaneFlags{}) return touched;
-    findSolution(ownTurn(turn), touched, 0);
+    for (std::size_t lane = 0; lane < numbers.width; ++lane)
+        if (touched[lane] > waits[lane]) (numbers.layout->someFree || pushed[lane] != 0 ? others : prepared)[lane] = 1;
+    if (prepared != LaneFlags{}) solvePrepared(ownTurn(turn), prepared);
+    if (others != LaneFlags{}) findSolution(ownTurn(turn), others, 0);
     numbers.active = touched;
     writeVelocities(numbers, bodies);
     return touched;

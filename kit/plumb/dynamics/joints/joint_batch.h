@@ -73,6 +73,8 @@ private:
     void setFreeVelocities();
     /// In some lanes. change: the share of the last change of velocities that is expected again.
     void findSolution(const IslandTurn& turn, const LaneFlags& lanes, double change);
+    /// From conditions of the rows that are known.
+    void solvePrepared(const IslandTurn& turn, const LaneFlags& lanes);
     void predict(const IslandTurn& turn);
     void noteStates();
     void note(StepObserver* observer, double h, bool inPieces);

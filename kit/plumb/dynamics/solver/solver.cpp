@@ -136,9 +136,9 @@ private:
     /// to the touch. The second half solves without them, so that the push adds no speed to what the next sub-step
     /// begins with. Without it, a box that was pushed out of overlap would go on rising.
     void subStep(int number) {
-        halfStep(&ContactSolver::solve, {true, number == 0});
+        halfStep(&ContactSolver::solve, {true, number == 0, false});
         move(solved_, number);
-        halfStep(&ContactSolver::relax, {false, false});
+        halfStep(&ContactSolver::relax, {false, false, number + 1 == stores_.settings.subSteps});
     }
 
     /// One half, in the order of the velocities that each part needs: forces and the warm start first; then fields,

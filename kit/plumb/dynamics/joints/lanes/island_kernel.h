@@ -193,6 +193,7 @@ struct IslandTurn {
     bool inPieces = false;  ///< the coming move closes the gaps itself
     double rate = 1 / h;    ///< [1/s]
     double share = 1;       ///< of an error that a sub-step removes [-]
+    bool isLast = false;    ///< half of the step
 
     bool closesGaps() const { return correct && !inPieces; }
 };

@@ -208,6 +208,7 @@ struct WidePlaces : IslandItems<W> {
             w += inverseMassOf(v, shape.link + 1, second);
         }
         row.set(R::InverseMass, w);
+        if (shape.holds) row.set(R::Compliance, w > D{} ? v.compliance * w : all(-1));
     }
 
     /// Turns the axes of rows that hold to the middle of the coming sub-step, where lanes are active.
@@ -260,18 +261,19 @@ struct WidePlaces : IslandItems<W> {
         return smaller(larger(b[B::Uspin], -most), most);
     }
 
-    /// Where bodies will be after the coming sub-step at the velocities U.
+    /// Where bodies will be after the coming sub-step at the velocities U, where lanes are active.
     static void predict(const IslandLanes& v, double h) {
+        const auto active = Elimination<W>::isActive(v);
         for (std::uint32_t i = 0; i < v.bodies; ++i) {
             const S b = bodyOf(v, i);
             const D spin = spinAhead(b, h), t = spin * h;
             const D cos = WideTurn<W>::cosine(t), sin = WideTurn<W>::sine(t);
             const Pair r = turned(cos, sin, b[B::Cos], b[B::Sin]);
-            b.set(B::AheadSpin, spin);
-            b.set(B::LaterCos, r.x);
-            b.set(B::LaterSin, r.y);
-            b.set(B::LaterX, b[B::X] + b[B::Ux] * h);
-            b.set(B::LaterY, b[B::Y] + b[B::Uy] * h);
+            b.set(B::AheadSpin, active ? spin : b[B::AheadSpin]);
+            b.set(B::LaterCos, active ? r.x : b[B::LaterCos]);
+            b.set(B::LaterSin, active ? r.y : b[B::LaterSin]);
+            b.set(B::LaterX, active ? b[B::X] + b[B::Ux] * h : b[B::LaterX]);
+            b.set(B::LaterY, active ? b[B::Y] + b[B::Uy] * h : b[B::LaterY]);
         }
         for (std::uint32_t i = 0; i < v.linkCount; ++i) predictLink(v, i, h);
     }

@@ -52,7 +52,7 @@ struct WideIslands : IslandItems<W> {
             D bend{};
             if (turn.closesGaps()) bend = bendOf(v, i, turn);
             if (shape.holds)
-                holdRow(row, bend, turn);
+                holdRow(v, row, heldSpeed(row, bend, turn));
             else
                 driveRow(v, shape, row, bend, turn);
         }
@@ -75,21 +75,22 @@ struct WideIslands : IslandItems<W> {
     static void predictHeld(IslandLanes& v, const IslandTurn& turn, bool atMiddle) {
         Places::predict(v, turn.h);
         if (atMiddle) Places::turnToMiddle(v);
-        const auto active = Elimination<W>::isActive(v);
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             if (!v.rows[i].holds) continue;
             const S row = rowOf(v, i);
-            const D before = row[R::Speed];
-            holdRow(row, bendOf(v, i, turn), turn);
-            row.set(R::Speed, active ? row[R::Speed] : before);
+            holdRow(v, row, heldSpeed(row, bendOf(v, i, turn), turn));
         }
     }
 
     /// Removes the present error, and the whole error that the sub-step would add, to any order.
-    static void holdRow(const S& row, D bend, const IslandTurn& turn) {
-        if (!turn.closesGaps()) return row.set(R::Speed, D{});
+    static D heldSpeed(const S& row, D bend, const IslandTurn& turn) {
+        if (!turn.closesGaps()) return D{};
         const D back = row[R::Coordinate] * (turn.rate * turn.share);
-        row.set(R::Speed, bend - smaller(larger(back, all(-turn.fastest)), all(turn.fastest)));
+        return bend - smaller(larger(back, all(-turn.fastest)), all(turn.fastest));
+    }
+    /// Where a lane is active. Others keep what they want.
+    static void holdRow(const IslandLanes& v, const S& row, D speed) {
+        row.set(R::Speed, Elimination<W>::isActive(v) ? speed : row[R::Speed]);
     }
 
     static void driveRow(const IslandLanes& v, const IslandShape::Row& shape, const S& row, D bend,
@@ -166,15 +167,13 @@ struct WideIslands : IslandItems<W> {
         row.set(R::Known, known);
     }
 
+    /// Those of rows that hold are known when they are placed, and their speeds when they are predicted.
     static void findEquations(IslandLanes& v) {
-        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
+        for (std::uint32_t i = 0; i < v.rowCount && v.someFree; ++i) {
+            if (v.rows[i].holds) continue;
             const S row = rowOf(v, i);
-            if (v.rows[i].holds) {
-                setEquation(v, row, row[R::Speed], v.compliance * row[R::InverseMass], D{});
-            } else {
-                const auto e = Curve::curveEquation(row, v.rows[i].bounded, v.compliance);
-                setEquation(v, row, e.speed, e.compliance, e.known);
-            }
+            const auto e = Curve::curveEquation(row, v.rows[i].bounded, v.compliance);
+            setEquation(v, row, e.speed, e.compliance, e.known);
         }
     }
 
@@ -196,25 +195,24 @@ struct WideIslands : IslandItems<W> {
     static void solvePush(IslandLanes& v) {
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const S row = rowOf(v, i);
-            const D speed = Elimination<W>::speedOf(v, i, B::Vx, B::Spin), rigid = v.compliance * row[R::InverseMass];
-            D compliance = rigid;
-            if (!v.rows[i].holds) compliance = row[R::State] > all(Curve::atHigh) ? rigid : all(Curve::notSolved);
+            const D speed = Elimination<W>::speedOf(v, i, B::Vx, B::Spin);
+            holdRow(v, row, speed);
+            if (v.rows[i].holds) continue;
+            const D rigid = v.compliance * row[R::InverseMass];
+            const D compliance = row[R::State] > all(Curve::atHigh) ? rigid : all(Curve::notSolved);
             setEquation(v, row, speed, compliance, D{});
         }
         Elimination<W>::solve(v);
     }
 
     static void findResponses(IslandLanes& v) {
-        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
+        for (std::uint32_t i = 0; i < v.rowCount && v.someFree; ++i) {
+            if (v.rows[i].holds) continue;
             const S row = rowOf(v, i);
             const D rigid = v.compliance * row[R::InverseMass], slope = row[R::Slope];
-            D compliance = rigid;
-            if (!v.rows[i].holds) {
-                const auto isSoft = slope > D{};
-                const D soft = isSoft ? 1.0 / (isSoft ? slope : all(1)) : all(Curve::notSolved);
-                compliance = row[R::Loaded] > D{} ? rigid : soft;
-            }
-            setEquation(v, row, D{}, compliance, D{});
+            const auto isSoft = slope > D{};
+            const D soft = isSoft ? 1.0 / (isSoft ? slope : all(1)) : all(Curve::notSolved);
+            setEquation(v, row, D{}, row[R::Loaded] > D{} ? rigid : soft, D{});
         }
         Response<W>::find(v);
     }
@@ -228,7 +226,7 @@ struct WideIslands : IslandItems<W> {
             b.set(B::Spin, active ? b[B::Uspin] : b[B::Spin]);
         }
         D back{};
-        for (std::uint32_t i = 0; i < v.rowCount; ++i)
+        for (std::uint32_t i = 0; i < v.rowCount && v.someFree; ++i)
             if (!v.rows[i].holds) back = larger(back, magnitude(rowOf(v, i)[R::Back]));
         back = active ? back : D{};
         if (!anyOf<W>(back > D{})) return;
