@@ -5,8 +5,9 @@
 // that contacts have made so far. Their change in the last half is velocity - before; kickBodies adds it to warm. So
 // whoever changes velocity, and is not a contact, changes before, too: else the change counts as a contact's, and is
 // applied again in the next half. addVelocity and setVelocity do both (solver_velocity.h); swept joints are followed by
-// markBodies. warm is written by kickBodies, by gatherWarmStart at the step's start, and by joints when they read what
-// contacts have changed; setSolverMass scales all three.
+// markBodies, and when a swept island moves, the difference of the two is kept (swept_pieces.h). warm is written by
+// kickBodies, by gatherWarmStart at the step's start, and by joints when they read what contacts have changed;
+// setSolverMass scales all three.
 #pragma once
 #include <cstdint>
 #include <limits>

@@ -13,10 +13,11 @@
 
 namespace plumb {
 
-/// A body may be as deep as this in a wall: a quarter of its inradius, and at most 2 cm. Up to there, springs of
-/// contacts push it out; deeper, the nearest way out might be on the other side [m].
+/// A body may be this deep in a wall, as a share of its inradius [-], and at most deepest [m]: up to there, springs of
+/// contacts push it out. Deeper, the nearest way out might be on the other side.
 inline double deepIn(double inradius) {
-    return std::min(0.25 * inradius, 0.02);
+    constexpr double deepShare = 0.25, deepest = 0.02;
+    return std::min(deepShare * inradius, deepest);
 }
 
 /// The stores that the search reads.
