@@ -342,7 +342,7 @@ struct SweptLanes {
                     turn(a, own + local, own + local + 2);
             }
         }
-        for (const int load : {N::LoadX, N::LoadY, N::LoadTurn}) set(load, F{});
+        for (int load = N::LoadX; load <= N::LoadTurn; ++load) set(load, F{});
     }
 };
 
