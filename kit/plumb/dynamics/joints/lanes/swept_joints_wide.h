@@ -349,8 +349,9 @@ struct SweptLanes {
 template <int W>
 struct WideSweptJoints {
     template <bool Plain>
-    [[gnu::flatten]] static void solveAs(const SweptBatch& batch, float* fields, const std::uint32_t* bodies,
-                                         const SolverBodies& all, SweptPass pass) {
+    static void sweepAs(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all,
+                        const SweptPass& each) {
+        SweptPass pass = each;
         const SweptForm& shape = Plain ? plainHinge : batch.shape;
         for (int lane = 0; lane < batchLanes; lane += W) {
             SweptLanes<W, Plain> lanes{shape, fields + lane, bodies + lane, all, pass};
@@ -358,12 +359,15 @@ struct WideSweptJoints {
             if (pass.told != nullptr) pass.told += W;
         }
     }
+    [[gnu::flatten]] static void sweepPlain(const SweptBatch& batch, float* fields, const std::uint32_t* bodies,
+                                            const SolverBodies& all, const SweptPass& pass) {
+        sweepAs<true>(batch, fields, bodies, all, pass);
+    }
     static void solve(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all,
                       const SweptPass& pass) {
-        (batch.isPlain ? solveAs<true> : solveAs<false>)(batch, fields, bodies, all, pass);
+        (batch.isPlain ? sweepPlain : sweepAs<false>)(batch, fields, bodies, all, pass);
     }
-    [[gnu::flatten]] static void prepare(const SweptBatch& batch, float* fields, const std::uint32_t* bodies,
-                                         const BodyPlace* places) {
+    static void prepare(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const BodyPlace* places) {
         const SolverBodies none;
         const SweptPass pass;
         for (int lane = 0; lane < batchLanes; lane += W)
