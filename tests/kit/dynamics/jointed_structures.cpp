@@ -133,11 +133,12 @@ Structure chainMail(double link, int columns, int rows, int sides) {
         std::vector<BodyId>& ring = rings.emplace_back();
         const auto next = [&](std::size_t k) { return corners[(k + 1) % corners.size()]; };
         for (std::size_t k = 0; k < corners.size(); ++k) ring.push_back(s.bar(corners[k], next(k)));
-        for (std::size_t k = 0; k < corners.size(); ++k)
-            s.hinge(ring[k], ring[(k + 1) % ring.size()], next(k));
+        for (std::size_t k = 0; k < corners.size(); ++k) s.hinge(ring[k], ring[(k + 1) % ring.size()], next(k));
         // Corner 0 is the top, corner sides / 2 the bottom, which is bar sides / 2's first end.
         const auto half = static_cast<std::size_t>(sides / 2);
-        const auto before = [&](int there) -> const std::vector<BodyId>& { return rings[static_cast<std::size_t>(there)]; };
+        const auto before = [&](int there) -> const std::vector<BodyId>& {
+            return rings[static_cast<std::size_t>(there)];
+        };
         s.hinge(i < columns ? beam : before(i - columns)[half], ring[0], corners[0]);
         if (i % columns > 0 && sides % 4 == 0) s.hinge(before(i - 1)[3 * half / 2], ring[half / 2], corners[half / 2]);
     }
@@ -192,7 +193,9 @@ Structure softBody(double link, SoftKind kind, int size) {
 Structure randomStructure(std::uint64_t seed, bool isLarge) {
     Random random(seed);
     const double link = std::pow(2.0, random.integer(-1, 1));
-    const auto from = [&](int low, int daily, int most) { return random.integer(isLarge ? daily : low, isLarge ? most : daily); };
+    const auto from = [&](int low, int daily, int most) {
+        return random.integer(isLarge ? daily : low, isLarge ? most : daily);
+    };
     const auto load = [&] { return random.integer(0, 3) == 0 ? 0.0 : std::pow(10.0, random.uniform(0, 3)); };
     switch (seed % 7) {
         case 0: {

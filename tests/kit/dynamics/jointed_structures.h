@@ -26,7 +26,7 @@ public:
     std::vector<JointId> joints;
 
     /// damping: of all bodies, so that what swings comes to rest [1/s].
-    Structure(std::string what, double length, double damping = 1)
+    Structure(std::string what, double length, double damping = 2)
         : world({.sleeping = false}), name(std::move(what)), link(length), damping_(damping) {}
 
     /// at: in links. It has the mass of a disc of 0.3 links, of 50 kg/m^2.
@@ -78,7 +78,8 @@ public:
         for (const BodyId body : bodies) fastest = std::max(fastest, world.body(body).velocity().norm());
         return fastest;
     }
-    /// Is it swept, not solved at once? Its bodies are numbered as in an island; of joints only what they connect counts.
+    /// Is it swept, not solved at once? Its bodies are numbered as in an island; of joints only what they connect
+    /// counts.
     bool isSwept() const {
         std::map<BodyId, std::uint32_t> number;
         std::uint32_t moved = 0, all = 0;
@@ -141,11 +142,8 @@ enum class SoftKind : std::uint8_t { SpringRing, WeldRing, SpringGrid, RodGrid, 
 /// A ring with spokes, or a grid with diagonals, that hangs from one body.
 Structure softBody(double link, SoftKind kind, int size);
 
-struct StructureSeed {
-    std::uint64_t number;
-    bool isLarge;  ///< more than a test of every day should take
-};
-/// A structure of a kind, with numbers that are drawn from the seed.
+/// A structure of a kind, with numbers that are drawn from the seed. isLarge: more than a test of every day should
+/// take.
 Structure randomStructure(std::uint64_t seed, bool isLarge);
 
 }  // namespace plumb::test

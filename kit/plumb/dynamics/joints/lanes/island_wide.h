@@ -27,8 +27,9 @@ struct WideIslands : IslandItems<W> {
     static void kick(const IslandLanes& v) {
         for (std::uint32_t i = 0; i < v.moved; ++i) {
             const S b = bodyOf(v, i);
-            b.set(B::FreeX, b[B::Vx] * b[B::KeepLinear] + b[B::GainX]);
-            b.set(B::FreeY, b[B::Vy] * b[B::KeepLinear] + b[B::GainY]);
+            const D share = b[B::OwnMass] / b[B::Mass];  // what is added to a mass has no weight
+            b.set(B::FreeX, b[B::Vx] * b[B::KeepLinear] + b[B::GainX] * share);
+            b.set(B::FreeY, b[B::Vy] * b[B::KeepLinear] + b[B::GainY] * share);
             b.set(B::FreeSpin, b[B::Spin] * b[B::KeepAngular] + b[B::GainSpin]);
         }
     }
