@@ -9,7 +9,9 @@ using namespace plumb::test;
 namespace {
 
 constexpr double direct = 1e-5;  // the gap of what is solved at once [m]
-constexpr double swept = 0.005;  // of what is swept [links]
+/// Of what is swept: 0.5 % of a link of 1 m. It is a length, whatever the links are: it follows from what gravity adds
+/// in a sub-step.
+constexpr double swept = 0.005;
 constexpr double still = 0.01;   // [m/s]
 
 /// Lets it hang until it is at rest, for 40 s at most.
@@ -18,7 +20,7 @@ void hangs(Structure&& s) {
     const bool isSwept = s.isSwept();
     INFO(s.name << ", link " << s.link << " m, " << (isSwept ? "swept" : "direct") << ": gap " << s.gap() << " m, "
                 << s.speed() << " m/s");
-    CHECK(s.gap() <= (isSwept ? swept * s.link : direct));
+    CHECK(s.gap() <= (isSwept ? swept : direct));
     CHECK(s.speed() <= still);
 }
 
@@ -35,6 +37,16 @@ TEST_CASE("a long truss bears its weight: what its rods add to its nodes has non
         INFO(bays << " bays");
         CHECK(lowest > -0.005);
         CHECK(s.gap() < direct);
+    }
+}
+
+TEST_CASE("a swept cloth of ropes comes to rest", "[dynamics][joints]") {
+    // Its stops were firmer than what holds: their corrections overshot, so that the discs jumped for good at 1 m/s.
+    for (const int rows : {12, 20, 30}) {
+        Structure s = cloth(1, LinkKind::Rope, 8, rows);
+        for (int tick = 0; tick < 240; ++tick) s.world.step(dt);
+        INFO(rows << " rows");
+        CHECK(s.speed() < 1e-3);
     }
 }
 

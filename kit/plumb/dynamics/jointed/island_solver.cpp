@@ -23,7 +23,7 @@ constexpr double jointDampingRatio = 5;
 
 /// With a piece of a sub-step for each so many levels of a swept island, nets of hinges hang with gaps of 0.5 % of a
 /// link, whether they have 10 x 10 links or 100 x 100.
-constexpr std::size_t levelsAPiece = 19;
+constexpr std::size_t levelsAPiece = 17;
 
 /// The turn of a link that is followed well in one move [rad].
 constexpr double followed = 0.12;
@@ -114,7 +114,7 @@ std::size_t IslandSolver::begin(JointStores stores, StepList<BodyIndex>& solved)
     for (JointIsland& island : islands_.islands)
         island.sweptJoints.prepare(sweptKernel(stores_.settings.lanes), *stores_.joints, *stores_.bodies);
     forEachSwept([&](JointIsland& island) {
-        const std::size_t pieces = 1 + island.levels / levelsAPiece;
+        const std::size_t pieces = 1 + (island.levels + levelsAPiece / 2) / levelsAPiece;
         island.sweptPieces.begin(island.bodies, *stores_.bodies, static_cast<int>(pieces));
     });
     bounces_.take(stores_, islands_.islands);

@@ -234,8 +234,12 @@ struct SweptLanes {
             const F lower = smaller(bend - roomSpeed(q - at(first + N::Lower)), upper);
             target = smaller(larger(target, lower), upper);
             u += smaller(larger((target - u) * (1.0f + growth) / divisor, -high), high) * w * share;
+            const auto isFree = both(u > lower, u < upper);
             u = smaller(larger(u, lower), upper);
             impulse = (u - v0) / divisor;
+            // Stops are as soft as what holds.
+            const F leak = p.old * pass.soft.impulseScale, soft = (impulse - p.old) * pass.soft.massScale - leak;
+            impulse = isFree ? impulse : p.old + soft;
         }
         impulse = movable ? impulse : F{};
         push(r, impulse - p.old);
