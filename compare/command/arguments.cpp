@@ -141,7 +141,7 @@ CLI::App* describeBench(CLI::App& app, Raw& raw) {
     bench->footer(fmt::format(
         "Engines run in turn, each run in a process of its own; a ratio above 1 means that Plumb is faster.\nScenes: "
         "six (the first six, which is what runs without a name), scaling (a heap and pyramids of {} sizes), crowds "
-        "(bodies that bounce), {};\nrandom:SEED or random:A..B "
+        "(bodies that bounce), jointed (structures of joints), {};\nrandom:SEED or random:A..B "
         "(a random scene a seed, the same on every machine); any other scene, or FILE.json.",
         findBenchScenes("scaling").size(), fmt::join(names, ", ")));
     bench->add_option("SCENE", raw.scenes, "names of scenes or groups of them, or files");

@@ -140,7 +140,8 @@ std::vector<Block> speedBlocks(std::span<const SceneBench> results) {
         blocks.push_back(integrityBlock(scenes));
         blocks.push_back(phasesBlock(scenes));
     }
-    for (const Block& block : {growthBlock(results), randomBlock(results), summaryBlock(results)})
+    for (const Block& block :
+         {growthBlock(results), randomBlock(results), summaryBlock(results), jointedBlock(results)})
         if (!block.body.empty()) blocks.push_back(block);
     return blocks;
 }

@@ -17,6 +17,7 @@ namespace plumb::compare {
 ///   growth     how times grow with the number of bodies
 ///   phases     how much time each part of Plumb's step takes
 ///   summary    one row for each kind of scene, in short, if all of its scenes were run
+///   jointed    the same for the scenes of the group jointed, with the gaps of their joints
 /// Throws std::invalid_argument if Plumb or its rival was not run.
 std::vector<Block> speedBlocks(std::span<const SceneBench> results);
 
@@ -27,5 +28,6 @@ Block randomBlock(std::span<const SceneBench> results);
 /// One row for each kind of scene: times in Plumb and in its rival, and how many times as fast Plumb is. Empty if one
 /// of the scenes was not run in both.
 Block summaryBlock(std::span<const SceneBench> results);
+Block jointedBlock(std::span<const SceneBench> results);
 
 }  // namespace plumb::compare

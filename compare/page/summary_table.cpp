@@ -33,6 +33,14 @@ constexpr Kind kinds[] = {
     {"rope_60", "A rope of 60 links that falls in a heap"},
 };
 
+constexpr Kind jointedKinds[] = {
+    {"bridge_20", "A bridge of 20 hinged planks under three boxes"},
+    {"truss_32", "A truss of 32 bays, 128 rods, under a ton"},
+    {"cloth_20", "A cloth of 400 discs and 741 rods"},
+    {"net_20", "A net of 400 discs and 754 hinges"},
+    {"net_40", "A net of 1,600 discs and 3,114 hinges"},
+};
+
 /// "1.8 times as fast" or "140 times as slow".
 std::string verdictOf(double ratio) {
     if (std::abs(ratio - 1) < 0.05) return "as fast";
@@ -56,29 +64,40 @@ std::vector<std::string> randomRow(std::span<const SceneBench> results, const Me
     return {label, "–", "–", verdictOf(mean.ratio), "–"};
 }
 
-}  // namespace
-
-Block summaryBlock(std::span<const SceneBench> results) {
-    Block block{"bench", "summary", "", ""};
+/// One row for each kind. Without rows if one of the scenes was not run in both engines.
+PageTable kindsTable(std::span<const Kind> some, std::span<const SceneBench> results, const std::string& faults) {
     const std::string& product = findKnown(rivalName())->product;
-    PageTable table{{"a step of", columnName(subjectName(), ""), product, "Plumb is",
-                     "bodies overlap, or a joint gapes, by up to: Plumb / " + product},
+    PageTable table{{"a step of", columnName(subjectName(), ""), product, "Plumb is", faults + ": Plumb / " + product},
                     {}};
-    for (const Kind& kind : kinds) {
+    for (const Kind& kind : some) {
         const auto scene = std::ranges::find(results, kind.scene, &SceneBench::scene);
-        if (scene == results.end()) return block;
+        if (scene == results.end()) return {};
         const EngineBench *plumb = runOf(*scene, subjectName()), *rival = runOf(*scene, rivalName());
-        if (plumb == nullptr || rival == nullptr) return block;
+        if (plumb == nullptr || rival == nullptr) return {};
         table.head[2] = displayName(*rival);
         table.rows.push_back(
             {kind.label, milliseconds(plumb->leastMs()), milliseconds(rival->leastMs()),
              verdictOf(ratioToRival(*scene)->least),
              lengthCell(faultOf(plumb->integrity())) + " / " + lengthCell(faultOf(rival->integrity()))});
     }
+    return table;
+}
+
+}  // namespace
+
+Block summaryBlock(std::span<const SceneBench> results) {
+    Block block{"bench", "summary", "", ""};
+    PageTable table = kindsTable(kinds, results, "bodies overlap, or a joint gapes, by up to");
+    if (table.rows.empty()) return block;
     for (const MeanRatio& mean : meanRatiosOf(results))
         if (mean.group == "random" && mean.against == rivalName()) table.rows.push_back(randomRow(results, mean));
     block.body = markdown(table);
     return block;
+}
+
+Block jointedBlock(std::span<const SceneBench> results) {
+    const PageTable table = kindsTable(jointedKinds, results, "a joint gapes by up to");
+    return {"bench", "jointed", "", table.rows.empty() ? "" : markdown(table)};
 }
 
 }  // namespace plumb::compare

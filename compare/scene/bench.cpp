@@ -36,7 +36,11 @@ std::vector<BenchScene> all() {
         {"dolls_8", "", "", [] { return dolls(8); }},
         {"dolls_9", "", "", [] { return dolls(9); }},
         {"rope_60", "", "", rope60},
-        {"bridge_20", "", "", bridge20},
+        {"bridge_20", "jointed", "", bridge20},
+        {"truss_32", "jointed", "", truss32},
+        {"net_20", "jointed", "", [] { return net(20); }},
+        {"net_40", "jointed", "", [] { return net(40); }},
+        {"cloth_20", "jointed", "", cloth20},
         {"grid_movers", "", "", gridMovers},
         {"platform_movers", "", "", platformMovers},
     };

@@ -14,6 +14,9 @@ Scene pyramids(int n);  ///< pyramids of 55 boxes in a square, as many as n boxe
 
 // joint_grid.cpp
 Scene jointGrid();  ///< 100 x 100 discs that hang on each other: 10,000 bodies, 19,794 hinges
+Scene net(int n);   ///< the same of n x n discs
+Scene truss32();    ///< 32 bays of rods, with a ton at the middle: 66 bodies, 128 rods
+Scene cloth20();    ///< 20 x 20 discs that hang from a fixed row: 400 bodies, 741 rods
 
 // tumbler.cpp
 Scene tumblerOf2025();  ///< a turning box with 2,025 small ones inside: 2,027 bodies

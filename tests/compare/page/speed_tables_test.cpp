@@ -73,6 +73,16 @@ TEST_CASE("the front page has a row for all random scenes", "[compare][page]") {
           std::string::npos);
 }
 
+TEST_CASE("structures of joints have a table of their times and gaps", "[compare][page]") {
+    std::vector<SceneBench> results;
+    for (const char* name : {"bridge_20", "truss_32", "net_20", "net_40"}) results.push_back(pairOf(name, 1, 2));
+    CHECK(bodyOf(speedBlocks(results), "jointed").empty());  // cloth_20 was not run
+    results.push_back(pairOf("cloth_20", 1, 2));
+    const std::string jointed = bodyOf(speedBlocks(results), "jointed");
+    INFO(jointed);
+    CHECK(jointed.find("| A cloth of 400 discs and 741 rods | 1 ms | 2 ms | 2.0 times as fast |") != std::string::npos);
+}
+
 TEST_CASE("random scenes stand in sums, with joints and without, and the slowest and the fastest by themselves",
           "[compare][page]") {
     std::vector<SceneBench> results;

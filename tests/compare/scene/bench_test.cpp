@@ -75,6 +75,29 @@ TEST_CASE("the six scenes have the peers' numbers of bodies, shapes, joints and 
     }
 }
 
+TEST_CASE("the scenes of the group jointed have as many bodies and joints as their table says",
+          "[compare][scene][bench]") {
+    struct Numbers {
+        const char* name;
+        std::size_t bodies, joints;
+    };
+    const Numbers numbers[] = {{"bridge_20", 24, 21},
+                               {"truss_32", 66, 128},
+                               {"net_20", 400, 754},
+                               {"net_40", 1600, 3114},
+                               {"cloth_20", 400, 741}};
+    const std::vector<BenchScene> jointed = findBenchScenes("jointed");
+    REQUIRE(jointed.size() == std::size(numbers));
+    for (std::size_t i = 0; i < jointed.size(); ++i) {
+        const Scene scene = jointed[i].build();
+        INFO(scene.name);
+        CHECK(scene.name == numbers[i].name);
+        CHECK(scene.bodies.size() == numbers[i].bodies);
+        CHECK(scene.joints.size() == numbers[i].joints);
+        CHECK_NOTHROW(validate(scene));
+    }
+}
+
 TEST_CASE("large_pyramid stands row on row from (-49.5, 0.5) to its top at (0, 99.5)", "[compare][scene][bench]") {
     const Scene scene = sceneOf("large_pyramid");
     CHECK(positionOf(scene, 0) == Vec2(0, -1));

@@ -21,8 +21,8 @@ namespace {
 constexpr double jointFrequencyShare = 0.25;
 constexpr double jointDampingRatio = 5;
 
-/// With a piece of a sub-step for each so many levels of a swept island, nets of hinges hang with gaps of 0.5 % of a
-/// link, whether they have 10 x 10 links or 100 x 100.
+/// With a piece of a sub-step for each so many levels of a swept island, and one for half of them, nets hang with gaps
+/// of at most 5 mm, whether they have 10 x 10 links or 100 x 100, and whatever their length is.
 constexpr std::size_t levelsAPiece = 17;
 
 /// The turn of a link that is followed well in one move [rad].
