@@ -12,16 +12,33 @@ constexpr double direct = 1e-5;  // the gap of what is solved at once [m]
 /// Of what is swept: 0.5 % of a link of 1 m. It is a length, whatever the links are: it follows from what gravity adds
 /// in a sub-step.
 constexpr double swept = 0.005;
-constexpr double still = 0.01;   // [m/s]
+constexpr double still = 0.01;  // [m/s]
+/// Of a long truss that is solved at once, velocities keep up to what gravity adds in half a sub-step, which its rows
+/// take back too softly; its places do not change.
+constexpr double kept = 0.0225;  // [m/s]
+
+/// How far a body gets in a second at most [m].
+double secondOf(Structure& s) {
+    std::vector<Vec2> before;
+    for (const BodyId body : s.bodies) before.push_back(s.world.body(body).position());
+    for (int tick = 0; tick < 60; ++tick) s.world.step(dt);
+    double farthest = 0;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        farthest = std::max(farthest, (s.world.body(s.bodies[i]).position() - before[i]).norm());
+    return farthest;
+}
 
 /// Lets it hang until it is at rest, for 40 s at most.
 void hangs(Structure&& s) {
-    for (int tick = 0; tick < 2400 && (tick < 180 || s.speed() > still); ++tick) s.world.step(dt);
     const bool isSwept = s.isSwept();
+    double moved = still;
+    for (int second = 0; second < 40 && (second < 3 || moved > still || s.speed() > kept); ++second)
+        moved = secondOf(s);
     INFO(s.name << ", link " << s.link << " m, " << (isSwept ? "swept" : "direct") << ": gap " << s.gap() << " m, "
-                << s.speed() << " m/s");
+                << s.speed() << " m/s, " << moved << " m in a second");
     CHECK(s.gap() <= (isSwept ? swept : direct));
-    CHECK(s.speed() <= still);
+    CHECK(moved <= still);
+    CHECK(s.speed() <= kept);
 }
 
 }  // namespace

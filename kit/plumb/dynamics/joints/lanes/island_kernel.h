@@ -152,7 +152,7 @@ struct JointField {
 };
 
 /// The compliance e of rows that hold, relative to an inverse mass [-] (see island_elimination_wide.h).
-inline constexpr double relativeCompliance = 1e-7;
+inline constexpr double relativeCompliance = 1e-5;
 /// The same in trees, relative to what a joint gives when it is eliminated [-].
 inline constexpr double treeCompliance = 1e-9;
 
