@@ -53,6 +53,10 @@ std::optional<double> faultOf(const Integrity& seen) {
     return std::max(seen.overlap, seen.jointGap);
 }
 
+std::optional<double> gapOf(const Integrity& seen) {
+    return seen.jointGap;
+}
+
 /// What nobody tuned to, in one row.
 std::vector<std::string> randomRow(std::span<const SceneBench> results, const MeanRatio& mean) {
     const auto isFaster = [](const SceneBench& scene) {
@@ -65,7 +69,8 @@ std::vector<std::string> randomRow(std::span<const SceneBench> results, const Me
 }
 
 /// One row for each kind. Without rows if one of the scenes was not run in both engines.
-PageTable kindsTable(std::span<const Kind> some, std::span<const SceneBench> results, const std::string& faults) {
+PageTable kindsTable(std::span<const Kind> some, std::span<const SceneBench> results, const std::string& faults,
+                     std::optional<double> (*fault)(const Integrity&)) {
     const std::string& product = findKnown(rivalName())->product;
     PageTable table{{"a step of", columnName(subjectName(), ""), product, "Plumb is", faults + ": Plumb / " + product},
                     {}};
@@ -75,10 +80,9 @@ PageTable kindsTable(std::span<const Kind> some, std::span<const SceneBench> res
         const EngineBench *plumb = runOf(*scene, subjectName()), *rival = runOf(*scene, rivalName());
         if (plumb == nullptr || rival == nullptr) return {};
         table.head[2] = displayName(*rival);
-        table.rows.push_back(
-            {kind.label, milliseconds(plumb->leastMs()), milliseconds(rival->leastMs()),
-             verdictOf(ratioToRival(*scene)->least),
-             lengthCell(faultOf(plumb->integrity())) + " / " + lengthCell(faultOf(rival->integrity()))});
+        table.rows.push_back({kind.label, milliseconds(plumb->leastMs()), milliseconds(rival->leastMs()),
+                              verdictOf(ratioToRival(*scene)->least),
+                              lengthCell(fault(plumb->integrity())) + " / " + lengthCell(fault(rival->integrity()))});
     }
     return table;
 }
@@ -87,7 +91,7 @@ PageTable kindsTable(std::span<const Kind> some, std::span<const SceneBench> res
 
 Block summaryBlock(std::span<const SceneBench> results) {
     Block block{"bench", "summary", "", ""};
-    PageTable table = kindsTable(kinds, results, "bodies overlap, or a joint gapes, by up to");
+    PageTable table = kindsTable(kinds, results, "bodies overlap, or a joint gapes, by up to", faultOf);
     if (table.rows.empty()) return block;
     for (const MeanRatio& mean : meanRatiosOf(results))
         if (mean.group == "random" && mean.against == rivalName()) table.rows.push_back(randomRow(results, mean));
@@ -96,7 +100,7 @@ Block summaryBlock(std::span<const SceneBench> results) {
 }
 
 Block jointedBlock(std::span<const SceneBench> results) {
-    const PageTable table = kindsTable(jointedKinds, results, "a joint gapes by up to");
+    const PageTable table = kindsTable(jointedKinds, results, "a joint gapes by up to", gapOf);
     return {"bench", "jointed", "", table.rows.empty() ? "" : markdown(table)};
 }
 
