@@ -100,14 +100,14 @@ struct Stopped {
     }
 };
 
-constexpr std::array<double, 3> rates{15, 60, 480};
+constexpr std::array<double, 3> coarseToFine{15, 60, 480};
 
 }  // namespace
 
 TEST_CASE("a limit moved 1 m past a body leaves it at the limit, with the speed that it had", "[dynamics][joints]") {
     for (int kind = 0; kind < 4; ++kind)
         for (const double side : {-1.0, 1.0})
-            for (const double rate : rates)
+            for (const double rate : coarseToFine)
                 for (const double speed : {0.0, 0.5}) {
                     CAPTURE(kind, side, rate, speed);
                     Stopped one(kind, side * speed, {}, 0);
@@ -123,7 +123,7 @@ TEST_CASE("a limit moved 1 m past a body leaves it at the limit, with the speed 
 TEST_CASE("a body set 1 m beyond its limit comes back to it, and keeps its speed", "[dynamics][joints]") {
     for (const int kind : {0, 2, 3})
         for (const double side : {-1.0, 1.0})
-            for (const double rate : rates) {
+            for (const double rate : coarseToFine) {
                 CAPTURE(kind, side, rate);
                 Stopped one(kind, -0.5 * side, {}, 0);
                 one.world.body(one.body).setPose({one.length + 5 * side, 0}, 0);
@@ -138,7 +138,7 @@ TEST_CASE("a limit that moves a row of bodies by their limits, or against a brak
           "[dynamics][joints]") {
     for (int kind = 0; kind < 4; ++kind)
         for (const double side : {-1.0, 1.0})
-            for (const double rate : rates)
+            for (const double rate : coarseToFine)
                 for (const int followers : {0, 2}) {
                     const Drive drive{.motorForce = followers == 0 ? 5.0 : 0.0, .stiffness = 0};
                     CAPTURE(kind, side, rate, followers);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include <plumb/dynamics/joints/joint_rows.h>
+#include <plumb/dynamics/joints/island_report.h>
 
 namespace plumb {
 

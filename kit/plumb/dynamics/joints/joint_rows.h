@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What have the rows of joints given in a pass? It is told to those who keep accounts: the work of a joint cannot be
-// seen from outside, because its impulses never become forces on the bodies' records.
+// What are those told who keep accounts of joints?
 #pragma once
 #include <array>
 
@@ -8,9 +7,6 @@
 #include <plumb/math/detail/arrays.h>
 
 namespace plumb {
-
-struct IslandNumbers;
-class StepObserver;
 
 struct JointRow {
     std::array<Vec3, 2> at{};                   ///< of two ends: x, y [-], turn [m]; for a turning row 0, 0, [-]
@@ -30,11 +26,5 @@ struct JointRows {
     const Vec3& at(std::size_t r, std::size_t end) const { return end < 2 ? row[r].at[end] : far[end - 2]; }
     JointRow& add() { return row[count++] = JointRow{}; }
 };
-
-/// After a pass: tells the observer the rows of all joints of the active islands.
-void reportRows(const IslandNumbers& numbers, StepObserver& observer);
-/// The momentum that the joints of the active islands have given to their bodies. Among themselves they only pass it
-/// on, so all of it came from fixed bodies [N s].
-Vec2 givenMomentum(const IslandNumbers& numbers);
 
 }  // namespace plumb

@@ -15,8 +15,8 @@
 
 namespace plumb {
 
-/// Plain: all joints are hinges of two rows that hold. Then the compiler knows the shape.
-template <int W, bool Plain>
+/// AllHinges: all joints are plain hinges, of two rows that hold. Then the compiler knows the shape.
+template <int W, bool AllHinges>
 struct SweptLanes {
     using F = typename Wide<W>::Float;
     using N = SweptField;
@@ -29,7 +29,7 @@ struct SweptLanes {
         F old, coordinate;
     };
 
-    const SweptForm& shape;             ///< if Plain, plainHinge, which the compiler knows
+    const SweptForm& shape;             ///< if AllHinges, plainHinge, which the compiler knows
     float* const fields;                ///< of these lanes
     const std::uint32_t* const bodies;  ///< of these lanes
     const SolverBodies& all;
@@ -51,8 +51,8 @@ struct SweptLanes {
         if (shape.rows > 1) act(1);
         if (shape.rows > 2) act(2);
     }
-    bool isMissing(int r) const { return !Plain && shape.axis[r] == RowAxis::Missing; }
-    bool isTwofold() const { return !Plain && shape.links > 1; }
+    bool isMissing(int r) const { return !AllHinges && shape.axis[r] == RowAxis::Missing; }
+    bool isTwofold() const { return !AllHinges && shape.links > 1; }
     void load(int k) {
         Link& l = link[k];
         const int first = N::joint + k * N::link;
@@ -64,7 +64,7 @@ struct SweptLanes {
         l.a = {at(first + N::NowAx), at(first + N::NowAy)};
         l.b = {at(first + N::NowBx), at(first + N::NowBy)};
         l.apart = {at(first + N::NowApartX), at(first + N::NowApartY)};
-        if constexpr (Plain) return;
+        if constexpr (AllHinges) return;
         l.cosMinus1 = at(first + N::CosMinus1);
         l.sin = at(first + N::Sin);
         l.angle = at(first + N::Angle);
@@ -85,7 +85,7 @@ struct SweptLanes {
                    at(first + N::ApartY) + ((db.y - da.y) + ((l.b.y - by) - (l.a.y - ay)))};
         const F now[] = {l.a.x, l.a.y, l.b.x, l.b.y, l.apart.x, l.apart.y};
         for (int i = 0; i < 6; ++i) set(first + N::NowAx + i, now[i]);
-        if constexpr (Plain) return;
+        if constexpr (AllHinges) return;
         set(first + N::CosMinus1, l.cosMinus1);
         set(first + N::Sin, l.sin);
         set(first + N::Angle,
@@ -99,12 +99,12 @@ struct SweptLanes {
     /// The speed of a row's part. Only a plain hinge's levers need no products with its direction.
     F speedOf(const Link& l, int r, const Axis& u) const {
         const F turn = u.turnA * (l.va.z * l.rhoA) + u.turnB * (l.vb.z * l.rhoB);
-        if (Plain) return (shape.alongY[r] ? l.vb.y - l.va.y : l.vb.x - l.va.x) + turn;
+        if (AllHinges) return (shape.alongY[r] ? l.vb.y - l.va.y : l.vb.x - l.va.x) + turn;
         return u.x * (l.vb.x - l.va.x) + u.y * (l.vb.y - l.va.y) + turn;
     }
     void push(Link& l, int r, const Axis& u, F impulse) const {
         const F a = l.va.w * impulse, b = l.vb.w * impulse;
-        const bool isX = Plain && !shape.alongY[r], isY = Plain && shape.alongY[r];
+        const bool isX = AllHinges && !shape.alongY[r], isY = AllHinges && shape.alongY[r];
         if (!isY) l.va.x -= isX ? a : a * u.x;
         if (!isY) l.vb.x += isX ? b : b * u.x;
         if (!isX) l.va.y -= isY ? a : a * u.y;
@@ -133,15 +133,15 @@ struct SweptLanes {
         Row& p = row[r];
         p.old = at(N::Impulse + r);
         const int first = shape.first[r];
-        if (!Plain && shape.axis[r] >= RowAxis::Missing && shape.axis[r] != RowAxis::Turning) {
+        if (!AllHinges && shape.axis[r] >= RowAxis::Missing && shape.axis[r] != RowAxis::Turning) {
             // Its impulse is kept along x, and that of the next row along y: its axis changes from half to half.
             p.axis = link[0].axisAt(isMissing(r) ? Pair{of(1), F{}} : Pair{F{}, of(1)});
             return;
         }
         p.axis = link[0].axisOf(shape.axis[r], shape.alongY[r], startOf(shape.axis[r], first + N::StartX));
-        p.coordinate =
-            Plain ? (shape.alongY[r] ? link[0].apart.y : link[0].apart.x) : link[0].coordinateOf(shape.axis[r], p.axis);
-        if (!Plain && first > 0) p.coordinate -= at(first + N::Origin);
+        p.coordinate = AllHinges ? (shape.alongY[r] ? link[0].apart.y : link[0].apart.x)
+                                 : link[0].coordinateOf(shape.axis[r], p.axis);
+        if (!AllHinges && first > 0) p.coordinate -= at(first + N::Origin);
         if (!isTwofold()) return;
         const Pair start = startOf(shape.secondAxis, first + N::SecondStartX);
         p.second = link[1].axisOf(shape.secondAxis, shape.secondAlongY, start);
@@ -295,20 +295,20 @@ struct SweptLanes {
             const F change = -x[r] * massScale - row[r].old * leak;
             push(r, change);
             row[r].old += change;
-            if (!Plain && pass.told != nullptr) tell(r, F{}, F{}, F{}, F{});
+            if (!AllHinges && pass.told != nullptr) tell(r, F{}, F{}, F{}, F{});
         });
     }
 
     void keep(int r) const {
         const Row& p = row[r];
         const Axis& u = isTwofold() ? p.second : p.axis;
-        if (!Plain || !shape.alongY[r]) set(N::LoadX, at(N::LoadX) + (Plain ? p.old : p.old * u.x));
-        if (!Plain || shape.alongY[r]) set(N::LoadY, at(N::LoadY) + (Plain ? p.old : p.old * u.y));
-        if (!Plain && (shape.turnsOnly || shape.axis[r] == RowAxis::Turning))
+        if (!AllHinges || !shape.alongY[r]) set(N::LoadX, at(N::LoadX) + (AllHinges ? p.old : p.old * u.x));
+        if (!AllHinges || shape.alongY[r]) set(N::LoadY, at(N::LoadY) + (AllHinges ? p.old : p.old * u.y));
+        if (!AllHinges && (shape.turnsOnly || shape.axis[r] == RowAxis::Turning))
             set(N::LoadTurn, at(N::LoadTurn) + p.old * u.turnB);
         F kept = p.old;
         if (isMissing(r)) kept = row[0].old * u.x - row[1].old * u.y;
-        if (!Plain && shape.axis[r] == RowAxis::Beside) kept = row[1].old * u.y - row[0].old * u.x;
+        if (!AllHinges && shape.axis[r] == RowAxis::Beside) kept = row[1].old * u.y - row[0].old * u.x;
         set(N::Impulse + r, kept);
     }
 
@@ -352,13 +352,13 @@ struct SweptLanes {
 
 template <int W>
 struct WideSweptJoints {
-    template <bool Plain>
+    template <bool AllHinges>
     static void sweepAs(const SweptBatch& batch, float* fields, const std::uint32_t* bodies, const SolverBodies& all,
                         const SweptPass& each) {
         SweptPass pass = each;
-        const SweptForm& shape = Plain ? plainHinge : batch.shape;
+        const SweptForm& shape = AllHinges ? plainHinge : batch.shape;
         for (int lane = 0; lane < batchLanes; lane += W) {
-            SweptLanes<W, Plain> lanes{shape, fields + lane, bodies + lane, all, pass};
+            SweptLanes<W, AllHinges> lanes{shape, fields + lane, bodies + lane, all, pass};
             pass.isFirstGuess ? lanes.warm() : lanes.solve();
             if (pass.told != nullptr) pass.told += W;
         }

@@ -3,6 +3,8 @@
 //
 // A batch holds up to batchLanes joints of one shape. No two of them share a body that can be pushed.
 #pragma once
+#include <cstddef>
+
 #include <plumb/collide/lanes/body_place.h>
 #include <plumb/dynamics/bodies/softness.h>
 #include <plumb/dynamics/bodies/solver_body.h>

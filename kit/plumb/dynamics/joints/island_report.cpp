@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/joints/joint_rows.h>
+#include <plumb/dynamics/joints/island_report.h>
 
-#include <plumb/dynamics/bodies/step_observer.h>
-#include <plumb/dynamics/joints/island_numbers.h>
+#include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
 
