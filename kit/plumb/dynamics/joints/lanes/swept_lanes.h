@@ -59,11 +59,11 @@ struct SweptField {
     };
 };
 
-/// Two rows that hold, along x and along y: most joints of wide nets.
-inline constexpr SweptForm plainHinge{.axis = {RowAxis::World, RowAxis::World},
-                                      .alongY = {false, true},
-                                      .holds = {true, true},
-                                      .fields = int{SweptField::joint} + int{SweptField::link}};
+/// Two rows that hold, along x and along y: most joints of wide nets. Not inline: code for wide lanes has its own copy.
+constexpr SweptForm plainHinge{.axis = {RowAxis::World, RowAxis::World},
+                               .alongY = {false, true},
+                               .holds = {true, true},
+                               .fields = int{SweptField::joint} + int{SweptField::link}};
 
 struct SweptBatch {
     SweptForm shape;
