@@ -111,9 +111,8 @@ std::size_t IslandSolver::begin(JointStores stores, StepList<BodyIndex>& solved)
         stores_.joints->loads[index].time = dt_;
     }
     shareSprings(islands_, *stores_.joints, *stores_.bodies, stores_.h);
-    for (JointIsland& island : islands_.islands)
-        island.sweptJoints.prepare(sweptKernel(stores_.settings.lanes), *stores_.joints, *stores_.bodies);
     forEachSwept([&](JointIsland& island) {
+        island.sweptJoints.prepare(sweptKernel(stores_.settings.lanes), *stores_.joints, *stores_.bodies);
         const std::size_t pieces = 1 + (island.levels + levelsAPiece / 2) / levelsAPiece;
         island.sweptPieces.begin(island.bodies, *stores_.bodies, static_cast<int>(pieces));
     });

@@ -34,7 +34,7 @@ struct JointStores {
 
 /// One half of a sub-step.
 struct HalfStep {
-    bool correct = false;  ///< true in the half before the bodies move: corrects position errors too
+    bool correct = false;                  ///< true in the half before the bodies move: corrects position errors too
     bool isFirst = false, isLast = false;  ///< of the step
 };
 

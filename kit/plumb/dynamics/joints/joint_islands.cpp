@@ -171,7 +171,8 @@ std::size_t JointIslands::bytes() const {
     std::size_t bytes = bytesOf(joints) + bytesOf(breakable) + bytesOf(alike) + layouts.bytes() + bytesOf(islands);
     for (const JointIsland& island : islands)
         bytes += bytesOf(island.joints) + bytesOf(island.laid) + bytesOf(island.sprung) + bytesOf(island.held) +
-                 bytesOf(island.bodies) + bytesOf(island.stiffness) + island.sweptJoints.bytes();
+                 bytesOf(island.bodies) + bytesOf(island.stiffness) + island.sweptJoints.bytes() +
+                 island.sweptPieces.bytes();
     for (const std::vector<std::uint32_t>& group : alike) bytes += bytesOf(group);
     for (const JointBatch& batch : batches) bytes += sizeof(JointBatch) + batch.bytes();
     return bytes;

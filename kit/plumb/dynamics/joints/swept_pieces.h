@@ -13,6 +13,7 @@
 
 #include <plumb/dynamics/bodies/body_solver.h>
 #include <plumb/dynamics/bodies/body_store.h>
+#include <plumb/math/detail/arrays.h>
 #include <plumb/math/function_ref.h>
 
 namespace plumb {
@@ -30,6 +31,8 @@ public:
     /// Moves the bodies by a sub-step of h [s], in place of how they have been moved since keep. sweep(correct): solves
     /// the joints.
     void move(BodyStore& bodies, const BodySolver& solver, double h, FunctionRef<void(bool correct)> sweep);
+
+    std::size_t bytes() const { return bytesOf(list_) + bytesOf(before_) + bytesOf(push_) + bytesOf(places_); }
 
 private:
     struct Place {

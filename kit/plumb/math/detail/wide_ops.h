@@ -65,6 +65,8 @@ inline typename LanesOf<W, T>::Type loadLanes(const T* from) {
     std::memcpy(&v, from, sizeof v);
     return v;
 }
+/// As a vector, not by memcpy: after that, compilers read all pointers and counts again, since it may have changed
+/// them.
 template <class V, class T>
 inline void storeLanes(T* to, const V& v) {
     typedef V Lanes __attribute__((aligned(alignof(T))));

@@ -40,7 +40,7 @@ struct RowCurve {
     /// coordinate beyond it is corrected like any other error.
     static D roomSpeed(D room, const IslandTurn& turn) {
         const D speed = room * turn.rate;
-        const D back = turn.correct ? larger(speed * turn.share, all(-turn.fastest)) : D{};
+        const D back = turn.correct ? larger(speed, all(-turn.fastest)) : D{};
         return room >= D{} ? speed : back;
     }
 

@@ -192,7 +192,6 @@ struct IslandTurn {
     double fastest = 0;     ///< speed at which an error is removed at most [m/s]
     bool inPieces = false;  ///< the coming move closes the gaps itself
     double rate = 1 / h;    ///< [1/s]
-    double share = 1;       ///< of an error that a sub-step removes [-]
     bool isLast = false;    ///< half of the step
 
     bool closesGaps() const { return correct && !inPieces; }

@@ -86,7 +86,7 @@ struct WideIslands : IslandItems<W> {
     /// Removes the present error, and the whole error that the sub-step would add, to any order.
     static D heldSpeed(const S& row, D bend, const IslandTurn& turn) {
         if (!turn.closesGaps()) return D{};
-        const D back = row[R::Coordinate] * (turn.rate * turn.share);
+        const D back = row[R::Coordinate] * turn.rate;
         return bend - smaller(larger(back, all(-turn.fastest)), all(turn.fastest));
     }
     /// Where a lane is active. Others keep what they want.
