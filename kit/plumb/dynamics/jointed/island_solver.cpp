@@ -203,7 +203,7 @@ void IslandSolver::loadBatches() {
     islands_.batchCount = cut.size();
     if (islands_.batches.size() < cut.size()) islands_.batches.resize(islands_.islands.size());
     for (std::size_t i = 0; i < cut.size(); ++i)
-        islands_.batches[i].load(cut[i], *stores_.joints, *stores_.bodies, stores_.h);
+        islands_.batches[i].load(cut[i], *stores_.joints, *stores_.bodies, stores_.h, stores_.settings.lanes);
 }
 
 /// Batch by batch, so that its numbers stay in the cache: a batch of eight dolls has 180 KB. A rain of dolls took 0.6

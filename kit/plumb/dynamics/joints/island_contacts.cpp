@@ -113,7 +113,7 @@ void addBodies(std::vector<ContactBody>& found, const IslandNumbers& numbers, co
 void findBodiesIn(const LaneFlags& lanes, IslandNumbers& numbers, const BodyStore& bodies,
                   std::vector<ContactBody>& found) {
     if (lanes == LaneFlags{}) return;
-    numbers.kernel->findResponses(numbers.view);
+    numbers.kernel().findResponses(numbers.view);
     for (std::size_t lane = 0; lane < numbers.width; ++lane)
         if (lanes[lane] != 0) addBodies(found, numbers, bodies, lane);
 }

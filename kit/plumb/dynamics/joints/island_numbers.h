@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Where are the numbers of islands that are solved side by side?
 //
-// Up to eight islands of one layout lie in the lanes of one block of doubles (see lanes/island_kernel.h for its order).
+// Up to eight islands of one layout lie in the lanes of one block of doubles (see lanes/island_kernel.h for its order);
+// one island alone fills all lanes (see island_bundles.h).
 // This is that block, with names for its places. It stays where it is from step to step, as long as layout and number
 // of islands do: what the code for lanes found in one step is its first guess in the next.
 #pragma once
 #include <span>
 
+#include <plumb/dynamics/joints/island_bundles.h>
 #include <plumb/dynamics/joints/joint_island.h>
-#include <plumb/dynamics/joints/lanes/island_kernel.h>
 
 namespace plumb {
 
@@ -18,25 +19,30 @@ struct IslandNumbers {
     std::shared_ptr<const IslandLayout> layout;
     std::vector<JointIsland*> islands;  ///< of each lane
     std::size_t width = 1;              ///< their number
-    const IslandKernel* kernel = nullptr;
+    IslandCode code;
+    IslandBundles bundles;
     IslandLanes view;
     LaneFlags active{}, missed{}, lost{}, heavy{};  ///< see IslandLanes
 
-    /// Makes room for these islands, which have one layout.
-    void layOut(std::span<JointIsland* const> some);
+    /// Makes room for these islands, which have one layout, in vectors of at most so many floats.
+    void layOut(std::span<JointIsland* const> some, int mostFloats);
+
+    const IslandKernel& kernel() const { return *code.kernel; }
 
     double& body(std::size_t node, int field, std::size_t lane) const {
-        return at(view.body, BodyField::count, node, field, lane);
+        return at(view.body + bundles.bodyPlaces[node], field, lane);
     }
     double& link(std::size_t i, int field, std::size_t lane) const {
-        return at(view.link, LinkField::count, i, field, lane);
+        return at(view.link + bundles.linkPlaces[i], field, lane);
     }
     double& row(std::size_t i, int field, std::size_t lane) const {
-        return at(view.row, RowField::count, i, field, lane);
+        return at(view.row + bundles.rowPlaces[i], field, lane);
     }
     double& joint(std::size_t j, int field, std::size_t lane) const {
-        return at(view.joint, JointField::count, j, field, lane);
+        return at(view.joint + bundles.jointPlaces[j], field, lane);
     }
+    /// Lanes that have no joint of their own get the numbers of the one before them.
+    void fillLanes() const;
     BodyIndex bodyAt(std::size_t node, std::size_t lane) const { return islands[lane]->bodyAt(node); }
     /// Of a body that impulses move.
     BodyIndex movedBody(std::size_t node, std::size_t lane) const { return islands[lane]->bodies[node]; }
@@ -64,11 +70,11 @@ struct IslandNumbers {
     /// By how much the worst joint of one island has opened since the step's start [m].
     double openingOf(std::size_t lane) const;
 
-    std::size_t bytes() const { return bytesOf(items_) + bytesOf(islands); }
+    std::size_t bytes() const { return bytesOf(items_) + bytesOf(islands) + bundles.bytes(); }
 
 private:
-    double& at(double* items, std::size_t count, std::size_t item, int field, std::size_t lane) const {
-        return items[(item * count + static_cast<std::size_t>(field)) * width + lane];
+    double& at(double* first, int field, std::size_t lane) const {
+        return first[static_cast<std::size_t>(field) * code.lanes + lane];
     }
 
     std::vector<double> items_;

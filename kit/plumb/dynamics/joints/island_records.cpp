@@ -176,6 +176,7 @@ void loadIslands(const IslandNumbers& numbers, const JointStore& joints, const B
             loadJoint(numbers, island.laid[j].form, joints[island.joints[j]], bodies, j, lane, h);
         }
     }
+    numbers.fillLanes();
 }
 
 void storeIslands(const IslandNumbers& numbers, JointStore& joints, BodyStore& bodies) {
@@ -206,7 +207,7 @@ void pullPlaces(IslandNumbers& numbers, const BodyStore& bodies) {
     bool changed = false;
     numbers.forEachMoved(
         [&](std::size_t n, std::size_t lane) { changed = pullPlace(numbers, bodies, n, lane) || changed; });
-    if (changed) numbers.kernel->place(numbers.view);
+    if (changed) numbers.kernel().place(numbers.view);
 }
 
 void pullMoves(IslandNumbers& numbers, const BodyStore& bodies, std::size_t lane) {
@@ -215,7 +216,7 @@ void pullMoves(IslandNumbers& numbers, const BodyStore& bodies, std::size_t lane
         pullVelocity(numbers, bodies, n, lane);
         changed = pullPlace(numbers, bodies, n, lane) || changed;
     }
-    if (changed) numbers.kernel->place(numbers.view);
+    if (changed) numbers.kernel().place(numbers.view);
 }
 
 void writePlaces(const IslandNumbers& numbers, BodyStore& bodies) {

@@ -8,11 +8,12 @@
 
 namespace plumb {
 
-void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& joints, BodyStore& bodies, double h) {
+void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& joints, BodyStore& bodies, double h,
+                      int mostFloats) {
     pieces_ = islands.front()->pieces;
     moved_ = false;
     h_ = h;
-    numbers.layOut(islands);
+    numbers.layOut(islands, mostFloats);
     for (std::size_t lane = 0; lane < numbers.width; ++lane) {
         islands[lane]->batch = this;
         islands[lane]->lane = lane;
@@ -21,15 +22,15 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
     contacts.find(numbers, bodies);
     numbers.activateAll();
     writeVelocities(numbers, bodies);
-    numbers.kernel->place(numbers.view);
+    numbers.kernel().place(numbers.view);
     for (std::size_t i = 0; i < numbers.layout->rows.size(); ++i)
         for (std::size_t lane = 0; lane < numbers.width; ++lane)
             numbers.row(i, RowField::StartError, lane) = numbers.errorOf(i, lane);
-    numbers.kernel->setMasses(numbers.view, h);
+    numbers.kernel().setMasses(numbers.view, h);
 }
 
 void JointBatch::store(JointStore& joints, BodyStore& bodies) {
-    numbers.kernel->findInertias(numbers.view, h_);
+    numbers.kernel().findInertias(numbers.view, h_);
     storeIslands(numbers, joints, bodies);
 }
 
@@ -41,11 +42,11 @@ void JointBatch::pull(const BodyStore& bodies) {
 /// Dampers act by the speeds before this half, so these are noted before the kicks of fields are taken in.
 void JointBatch::kick(const BodyStore& bodies, bool correct) {
     if (std::exchange(moved_, false)) pullPlaces(numbers, bodies);
-    if (correct) numbers.kernel->noteSpeeds(numbers.view);
+    if (correct) numbers.kernel().noteSpeeds(numbers.view);
     pullVelocities(numbers, bodies);
     if (pieces_ > 1) endPieces();
-    numbers.kernel->setMasses(numbers.view, h_);
-    numbers.kernel->kick(numbers.view);
+    numbers.kernel().setMasses(numbers.view, h_);
+    numbers.kernel().kick(numbers.view);
     contacts.addFirstGuess(numbers, bodies);
     numbers.activateAll();
     pushed_ = {};
@@ -61,18 +62,18 @@ void JointBatch::setFreeVelocities() {
 
 void JointBatch::findSolution(const IslandTurn& turn, const LaneFlags& lanes, double change) {
     numbers.active = lanes;
-    numbers.kernel->guess(numbers.view, change);
-    numbers.kernel->prepare(numbers.view, turn);
+    numbers.kernel().guess(numbers.view, change);
+    numbers.kernel().prepare(numbers.view, turn);
     solvePrepared(turn, lanes);
 }
 
 void JointBatch::solvePrepared(const IslandTurn& turn, const LaneFlags& lanes) {
     numbers.active = lanes;
-    numbers.kernel->solve(numbers.view);
+    numbers.kernel().solve(numbers.view);
     if (turn.closesGaps()) predict(turn);
     numbers.active = lanes;
     if (!turn.onlyHold) noteStates();
-    numbers.kernel->accept(numbers.view);
+    numbers.kernel().accept(numbers.view);
 }
 
 /// Predicts rows from the solution until that matters no more: where joints will be after the sub-step depends on the
@@ -80,7 +81,7 @@ void JointBatch::solvePrepared(const IslandTurn& turn, const LaneFlags& lanes) {
 /// at the middle of the sub-step, if links turn far.
 void JointBatch::predict(const IslandTurn& turn) {
     constexpr double far = 1e-3;  ///< see WidePlaces::keepMissed
-    const IslandKernel& kernel = *numbers.kernel;
+    const IslandKernel& kernel = numbers.kernel();
     numbers.missed.fill(1);
     numbers.lost = {};
     while (kernel.predictAgain(numbers.view, turn)) kernel.solve(numbers.view);
@@ -104,8 +105,8 @@ void JointBatch::noteStates() {
 
 void JointBatch::note(StepObserver* observer, double h, bool inPieces) {
     numbers.activateAll();
-    numbers.kernel->addLoads(numbers.view);
-    numbers.kernel->noteForces(numbers.view, h, inPieces);
+    numbers.kernel().addLoads(numbers.view);
+    numbers.kernel().noteForces(numbers.view, h, inPieces);
     if (observer == nullptr) return;
     reportRows(numbers, *observer);
     observer->noteGround(givenMomentum(numbers));
@@ -143,28 +144,28 @@ LaneFlags JointBatch::respondToContacts(BodyStore& bodies, const IslandTurn& tur
 }
 
 void JointBatch::closeGaps(BodyStore& bodies, std::size_t lane, double h, double fastest) {
-    numbers.kernel->setMasses(numbers.view, h);
+    numbers.kernel().setMasses(numbers.view, h);
     setFreeVelocities();
     LaneFlags only{};
     only[lane] = 1;
     findSolution({h, true, true, fastest}, only, 0);
-    numbers.kernel->addLoads(numbers.view);
+    numbers.kernel().addLoads(numbers.view);
     writeVelocities(numbers, bodies);
 }
 
 void JointBatch::addLoads(std::size_t lane) {
     numbers.activateOnly(lane);
-    numbers.kernel->addLoads(numbers.view);
+    numbers.kernel().addLoads(numbers.view);
 }
 
 void JointBatch::respond(std::size_t lane, std::span<BodyPush> pushes) {
     numbers.activateOnly(lane);
-    numbers.kernel->prepare(numbers.view, {h_, false, false, 0});
+    numbers.kernel().prepare(numbers.view, {h_, false, false, 0});
     for (std::size_t n = 0; n < numbers.layout->bodies; ++n)
         for (std::size_t l = 0; l < numbers.width; ++l)
             for (int c = 0; c < 3; ++c) numbers.body(n, BodyField::Ux + c, l) = numbers.body(n, BodyField::Vx + c, l);
     addPushes(lane, pushes, BodyField::Ux);
-    numbers.kernel->solvePush(numbers.view);
+    numbers.kernel().solvePush(numbers.view);
     for (BodyPush& one : pushes) {
         const std::size_t node = numbers.islands[lane]->nodeOf(one.body);
         for (int c = 0; c < 3; ++c)
@@ -176,7 +177,7 @@ void JointBatch::respond(std::size_t lane, std::span<BodyPush> pushes) {
 /// The impulses go to the free velocities too: else the next solution in this half would take them back.
 void JointBatch::push(BodyStore& bodies, std::size_t lane, std::span<BodyPush> pushes) {
     respond(lane, pushes);
-    numbers.kernel->accept(numbers.view);
+    numbers.kernel().accept(numbers.view);
     writeVelocities(numbers, bodies);
     addPushes(lane, pushes, BodyField::FreeX);
     pushed_[lane] = 1;
@@ -198,7 +199,7 @@ Vec3 JointBatch::changeBy(std::size_t lane, std::size_t node, const Vec3& impuls
 
 void JointBatch::move(BodyStore& bodies, double h, double fastest, StepObserver* observer) {
     if (pieces_ == 1)
-        numbers.kernel->move(numbers.view, h);
+        numbers.kernel().move(numbers.view, h);
     else
         moveInPieces(bodies, h, fastest, observer);
     writePlaces(numbers, bodies);
@@ -227,7 +228,7 @@ void JointBatch::moveInPieces(BodyStore& bodies, double h, double fastest, StepO
             setFreeVelocities();
             findSolution({piece, correct, true, fastest}, LaneFlags(numbers.active), correct && i > 0 ? 1 : 0);
             note(observer, piece, true);
-            if (correct) numbers.kernel->move(numbers.view, piece);
+            if (correct) numbers.kernel().move(numbers.view, piece);
         }
     }
     forEachCoordinate([h](double& velocity, double place, double& bent) {

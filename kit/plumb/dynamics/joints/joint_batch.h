@@ -31,8 +31,10 @@ public:
     JointBatch& operator=(const JointBatch&) { return *this = JointBatch(); }
     JointBatch& operator=(JointBatch&&) = default;
 
-    /// Takes in islands of one layout, as they are at the start of a step with sub-steps of h [s].
-    void load(std::span<JointIsland* const> islands, const JointStore& joints, BodyStore& bodies, double h);
+    /// Takes in islands of one layout, as they are at the start of a step with sub-steps of h [s], in vectors of at
+    /// most so many floats.
+    void load(std::span<JointIsland* const> islands, const JointStore& joints, BodyStore& bodies, double h,
+              int mostFloats);
     /// Gives them back at its end.
     void store(JointStore& joints, BodyStore& bodies);
 

@@ -12,7 +12,9 @@ template struct WideContactSolver<1>;
 template struct WideLaneCollider<1>;
 template struct WideSweptKernel<1>;
 template struct WideBodySolver<1>;
-template struct WideIslandKernel<1>;
+#if !defined(__wasm__)
+template struct WideIslandKernel<1, LaneUse::Islands>;
+#endif
 #if defined(__GNUC__)
 extern template struct WideContactSolver<4>;
 extern template struct WideContactSolver<8>;
@@ -26,9 +28,12 @@ extern template struct WideSweptKernel<16>;
 extern template struct WideBodySolver<4>;
 extern template struct WideBodySolver<8>;
 extern template struct WideBodySolver<16>;
-extern template struct WideIslandKernel<4>;
-extern template struct WideIslandKernel<8>;
-extern template struct WideIslandKernel<16>;
+extern template struct WideIslandKernel<4, LaneUse::Islands>;
+extern template struct WideIslandKernel<8, LaneUse::Islands>;
+extern template struct WideIslandKernel<16, LaneUse::Islands>;
+extern template struct WideIslandKernel<4, LaneUse::Joints>;
+extern template struct WideIslandKernel<8, LaneUse::Joints>;
+extern template struct WideIslandKernel<16, LaneUse::Joints>;
 #endif
 
 namespace {
@@ -58,9 +63,17 @@ int islandLanes(int lanes) {
     return std::max(1, std::min(lanes, machineLanes()) / 2);
 }
 
-const IslandKernel& islandKernel(int islands) {
-    if (islands == 1) return WideIslandKernel<1>::code;
-    return codeFor<IslandKernel, WideIslandKernel>(2 * islands);
+IslandCode islandCode(int islands, int lanes) {
+    const auto alone = []<int W>() -> IslandCode {
+        if constexpr (W == 1)
+            return {&WideIslandKernel<1, LaneUse::Islands>::code};
+        else
+            return {&WideIslandKernel<W, LaneUse::Joints>::code, LaneUse::Joints, std::size_t{W / 2}};
+    };
+    const auto together = [islands]<int W>() -> IslandCode {
+        return {&WideIslandKernel<W, LaneUse::Islands>::code, LaneUse::Islands, static_cast<std::size_t>(islands)};
+    };
+    return islands == 1 ? forLanes(std::min(lanes, 8), alone) : forLanes(2 * islands, together);
 }
 
 const BodySolver& bodySolver(int lanes) {

@@ -22,7 +22,7 @@
 // Source: the speed at which a joint is held, as a complementarity problem: Murty, "Linear complementarity",
 // 1988.
 #pragma once
-#include <plumb/dynamics/joints/lanes/island_elimination_wide.h>
+#include <plumb/dynamics/joints/lanes/island_items_wide.h>
 
 namespace plumb {
 

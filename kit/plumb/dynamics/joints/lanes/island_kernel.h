@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // On which numbers does the solver of joint islands work?
 //
-// An item (body, link, row, joint, block) has some fields; each field holds W doubles, one for each of W islands of the
-// same layout. So number f of item i in island l is at (i * count + f) * W + l.
+// An item (body, link, row, joint) has some fields; each field holds W doubles: one for each of W islands of the same
+// layout, or W bodies, links, rows or joints of one island. So number f of item i in lane l is at
+// (i * count + f) * W + l. Blocks are laid out so, too, but those of one island alone lie without gaps.
 #pragma once
 #include <cstddef>
 
@@ -107,6 +108,8 @@ struct RowField {
         Compliance,   ///< -1: the row is not solved for, and gives Known
         Known,        ///< [N s or N m s]
         Impulse,      ///< of this pass
+        Lacks,
+        Gives,  ///< in a solution: what its speed has too much, and the impulse for that
         Origin,
         StartError,  ///< at the step's start
         // Only of rows that do not hold:
@@ -156,17 +159,31 @@ inline constexpr double relativeCompliance = 1e-5;
 /// The same in trees, relative to what a joint gives when it is eliminated [-].
 inline constexpr double treeCompliance = 1e-9;
 
-/// What the code for W lanes sees of W islands.
+enum class LaneUse {
+    Islands,  ///< each lane has an island
+    Joints    ///< all lanes have joints, and bodies, of one island
+};
+
+/// What the code for W lanes sees of W islands, or of one.
 struct IslandLanes {
+    // The items: what lies in the same lanes counts as one.
     const IslandShape::Link* links = nullptr;
     const IslandShape::Row* rows = nullptr;
+    const IslandShape::Joint* joints = nullptr;       ///< and one past the end
+    const std::uint32_t* endPlaces = nullptr;         ///< of both ends of each link: where its body begins
+    std::uint32_t bodyItems = 0, movedItems = 0;      ///< all bodies, and those that impulses move
+    std::uint32_t linkCount = 0, rowCount = 0, jointCount = 0;
+    std::uint32_t movedEnd = 0;  ///< bodies that impulses do not move begin here, or after it
+
+    // The equations, of each joint and each body.
+    const IslandShape::Joint* laid = nullptr;    ///< and one past the end
+    const std::uint32_t* bodyPlaces = nullptr;   ///< where it begins
+    const std::uint32_t* rowPlaces = nullptr;
     const IslandShape::End* ends = nullptr;
-    const IslandShape::Joint* joints = nullptr;
     const IslandShape::Step* steps = nullptr;
     const IslandShape::Lower* lowers = nullptr;
     const IslandShape::Update* updates = nullptr;
-    std::uint32_t moved = 0, bodies = 0, linkCount = 0, rowCount = 0, jointCount = 0, stepCount = 0;
-    std::uint32_t blocks = 0, firstFill = 0;
+    std::uint32_t moved = 0, laidCount = 0, stepCount = 0, blocks = 0, firstFill = 0;
     bool someFree = false;
 
     double* body = nullptr;
@@ -236,14 +253,21 @@ struct IslandKernel {
 };
 
 /// With vectors of W floats.
-template <int W>
+template <int W, LaneUse use>
 struct WideIslandKernel {
     static const IslandKernel code;
 };
 
+/// The code for so many islands, and the lanes for them.
+struct IslandCode {
+    const IslandKernel* kernel = nullptr;
+    LaneUse use = LaneUse::Islands;
+    std::size_t lanes = 1;
+};
+
 /// How many islands at a time, with at most this number of floats in a vector?
 int islandLanes(int lanes);
-/// The code for 1, 2, 4 or 8 islands at a time.
-const IslandKernel& islandKernel(int islands);
+/// For 1, 2, 4 or 8 islands at a time, with at most this number of floats in a vector.
+IslandCode islandCode(int islands, int lanes);
 
 }  // namespace plumb

@@ -7,18 +7,21 @@
 
 namespace plumb {
 
-template <int W>
-struct WidePlaces : IslandItems<W> {
-    using D = typename Wide<W>::Double;
-    using S = Slots<W>;
+template <int W, LaneUse use>
+struct WidePlaces : IslandItems<W, use> {
+    using Items = IslandItems<W, use>;
+    using D = typename Items::D;
+    using S = typename Items::S;
+    using BodyAtEnd = typename Items::BodyAtEnd;
     using B = BodyField;
     using L = LinkField;
     using R = RowField;
-    using IslandItems<W>::bodyOf;
-    using IslandItems<W>::linkOf;
-    using IslandItems<W>::rowOf;
-
-    static constexpr D all(double value) { return D{} + value; }
+    using Items::all;
+    using Items::bodyOf;
+    using Items::endOf;
+    using Items::isActive;
+    using Items::linkOf;
+    using Items::rowOf;
 
     /// A direction, and its levers about both bodies.
     struct Axis {
@@ -30,7 +33,7 @@ struct WidePlaces : IslandItems<W> {
     static Pair turned(D cos, D sin, D x, D y) { return {cos * x - sin * y, sin * x + cos * y}; }
 
     static void move(IslandLanes& v, double h) {
-        for (std::uint32_t i = 0; i < v.bodies; ++i) {
+        for (std::uint32_t i = 0; i < v.bodyItems; ++i) {
             const S b = bodyOf(v, i);
             b.set(B::X, b[B::X] + b[B::Vx] * h);
             b.set(B::Y, b[B::Y] + b[B::Vy] * h);
@@ -41,7 +44,7 @@ struct WidePlaces : IslandItems<W> {
     }
 
     static void turn(const IslandLanes& v) {
-        for (std::uint32_t i = 0; i < v.bodies; ++i) {
+        for (std::uint32_t i = 0; i < v.bodyItems; ++i) {
             const S b = bodyOf(v, i);
             const D t = b[B::Turn];
             b.set(B::Cos, WideTurn<W>::cosine(t));
@@ -59,7 +62,8 @@ struct WidePlaces : IslandItems<W> {
     }
 
     static void placeLink(const IslandLanes& v, std::uint32_t i) {
-        const S l = linkOf(v, i), a = bodyOf(v, v.links[i].a), b = bodyOf(v, v.links[i].b);
+        const S l = linkOf(v, i);
+        const BodyAtEnd a = endOf(v, i, false), b = endOf(v, i, true);
         const D ax = l[L::StartArmAx], ay = l[L::StartArmAy], bx = l[L::StartArmBx], by = l[L::StartArmBy];
         const Pair armA = turned(a[B::Cos], a[B::Sin], ax, ay), armB = turned(b[B::Cos], b[B::Sin], bx, by);
         l.set(L::ArmAx, armA.x);
@@ -87,14 +91,14 @@ struct WidePlaces : IslandItems<W> {
     }
 
     /// B's wanted velocity relative to A, less the one without the joints' impulses.
-    static Pair missingVelocity(const S& row, const S& l, const S& a, const S& b) {
+    static Pair missingVelocity(const S& row, const S& l, const BodyAtEnd& a, const BodyAtEnd& b) {
         const D fromX = l[L::ArmAx] + l[L::ApartX], fromY = l[L::ArmAy] + l[L::ApartY];
         const D speedX = (b[B::FreeX] - l[L::ArmBy] * b[B::FreeSpin]) - (a[B::FreeX] - fromY * a[B::FreeSpin]);
         const D speedY = (b[B::FreeY] + l[L::ArmBx] * b[B::FreeSpin]) - (a[B::FreeY] + fromX * a[B::FreeSpin]);
         const Pair wanted = wantedVelocity(row, l, a);
         return {wanted.x - speedX, wanted.y - speedY};
     }
-    static Pair wantedVelocity(const S& row, const S& l, const S& a) {
+    static Pair wantedVelocity(const S& row, const S& l, const BodyAtEnd& a) {
         const Pair given = turned(a[B::Cos], a[B::Sin], row[R::DirectionX], row[R::DirectionY]);
         return {given.x - l[L::ApartX] * row[R::DriveRate], given.y - l[L::ApartY] * row[R::DriveRate]};
     }
@@ -103,10 +107,10 @@ struct WidePlaces : IslandItems<W> {
     struct LinkPlace {
         Pair apart, armB, turnA;
     };
-    static LinkPlace placeOf(const S& l, const S& a) {
+    static LinkPlace placeOf(const S& l, const BodyAtEnd& a) {
         return {{l[L::ApartX], l[L::ApartY]}, {l[L::ArmBx], l[L::ArmBy]}, {a[B::Cos], a[B::Sin]}};
     }
-    static LinkPlace laterPlaceOf(const S& l, const S& a, const S& b) {
+    static LinkPlace laterPlaceOf(const S& l, const BodyAtEnd& a, const BodyAtEnd& b) {
         return {{l[L::LaterApartX], l[L::LaterApartY]},
                 turned(b[B::LaterCos], b[B::LaterSin], l[L::StartArmBx], l[L::StartArmBy]),
                 {a[B::LaterCos], a[B::LaterSin]}};
@@ -133,7 +137,8 @@ struct WidePlaces : IslandItems<W> {
 
     static Axis axisOf(const IslandLanes& v, std::uint32_t link, RowAxis axis, const S& row, int direction) {
         if (axis == RowAxis::Turning) return {D{}, D{}, all(-1), all(1)};
-        const S l = linkOf(v, link), a = bodyOf(v, v.links[link].a), b = bodyOf(v, v.links[link].b);
+        const S l = linkOf(v, link);
+        const BodyAtEnd a = endOf(v, link, false), b = endOf(v, link, true);
         const LinkPlace place = placeOf(l, a);
         Pair u = directionOf(axis, row, direction, place);
         if (axis == RowAxis::Missing || axis == RowAxis::Beside) {
@@ -148,7 +153,8 @@ struct WidePlaces : IslandItems<W> {
     static Axis middleAxisOf(const IslandLanes& v, std::uint32_t link, RowAxis axis, const S& row, int direction) {
         const Axis now = axisOf(v, link, axis, row, direction);
         if (axis == RowAxis::Turning) return now;
-        const S l = linkOf(v, link), a = bodyOf(v, v.links[link].a), b = bodyOf(v, v.links[link].b);
+        const S l = linkOf(v, link);
+        const BodyAtEnd a = endOf(v, link, false), b = endOf(v, link, true);
         const LinkPlace place = laterPlaceOf(l, a, b);
         const Pair armA = turned(place.turnA.x, place.turnA.y, l[L::StartArmAx], l[L::StartArmAy]);
         const Axis later = axisAt(directionOf(axis, row, direction, place),
@@ -166,7 +172,7 @@ struct WidePlaces : IslandItems<W> {
         if (axis == RowAxis::Along || axis == RowAxis::Towards) return lengthOf(x, y);
         Pair u{row[direction], row[direction + 1]};
         if (axis == RowAxis::OnA) {
-            const S a = bodyOf(v, v.links[link].a);
+            const BodyAtEnd a = endOf(v, link, false);
             u = turned(a[later ? B::LaterCos : B::Cos], a[later ? B::LaterSin : B::Sin], u.x, u.y);
         }
         return axis == RowAxis::World || axis == RowAxis::OnA ? u.x * x + u.y * y : D{};
@@ -180,7 +186,7 @@ struct WidePlaces : IslandItems<W> {
     }
 
     static D inverseMassOf(const IslandLanes& v, std::uint32_t link, const Axis& axis) {
-        const S a = bodyOf(v, v.links[link].a), b = bodyOf(v, v.links[link].b);
+        const BodyAtEnd a = endOf(v, link, false), b = endOf(v, link, true);
         return (axis.x * axis.x + axis.y * axis.y) * (a[B::InverseMass] + b[B::InverseMass]) +
                (axis.turnA * axis.turnA * a[B::InverseInertia] + axis.turnB * axis.turnB * b[B::InverseInertia]);
     }
@@ -214,7 +220,7 @@ struct WidePlaces : IslandItems<W> {
     /// Turns the axes of rows that hold to the middle of the coming sub-step, where lanes are active.
     static void turnToMiddle(IslandLanes& v) {
         v.factored = false;
-        const auto active = Elimination<W>::isActive(v);
+        const auto active = isActive(v);
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             if (!v.rows[i].holds) continue;
             const S row = rowOf(v, i);
@@ -251,20 +257,21 @@ struct WidePlaces : IslandItems<W> {
 
     static void noteSpeeds(const IslandLanes& v) {
         for (std::uint32_t i = 0; i < v.rowCount; ++i)
-            if (!v.rows[i].holds) rowOf(v, i).set(R::NotedSpeed, Elimination<W>::speedOf(v, i, B::Vx, B::Spin));
+            if (!v.rows[i].holds) rowOf(v, i).set(R::NotedSpeed, Elimination<W, use>::speedOf(v, i, B::Vx, B::Spin));
     }
 
     /// Turning is predicted up to half a radian only: at larger angles, in a joint that is coming apart, the prediction
     /// would add to the error.
-    static D spinAhead(const S& b, double h) {
+    template <class Body>
+    static D spinAhead(const Body& b, double h) {
         const D most = all(0.5 / h);
         return smaller(larger(b[B::Uspin], -most), most);
     }
 
     /// Where bodies will be after the coming sub-step at the velocities U, where lanes are active.
     static void predict(const IslandLanes& v, double h) {
-        const auto active = Elimination<W>::isActive(v);
-        for (std::uint32_t i = 0; i < v.bodies; ++i) {
+        const auto active = isActive(v);
+        for (std::uint32_t i = 0; i < v.bodyItems; ++i) {
             const S b = bodyOf(v, i);
             const D spin = spinAhead(b, h), t = spin * h;
             const D cos = WideTurn<W>::cosine(t), sin = WideTurn<W>::sine(t);
@@ -279,7 +286,8 @@ struct WidePlaces : IslandItems<W> {
     }
 
     static void predictLink(const IslandLanes& v, std::uint32_t i, double h) {
-        const S l = linkOf(v, i), a = bodyOf(v, v.links[i].a), b = bodyOf(v, v.links[i].b);
+        const S l = linkOf(v, i);
+        const BodyAtEnd a = endOf(v, i, false), b = endOf(v, i, true);
         const D ax = l[L::StartArmAx], ay = l[L::StartArmAy], bx = l[L::StartArmBx], by = l[L::StartArmBy];
         const Pair armA = turned(a[B::LaterCos], a[B::LaterSin], ax, ay);
         const Pair armB = turned(b[B::LaterCos], b[B::LaterSin], bx, by);
@@ -295,25 +303,27 @@ struct WidePlaces : IslandItems<W> {
     static bool keepMissed(const IslandLanes& v, double h) {
         constexpr double small = 1e-6, smaller = 0.5;
         D worst{};
-        for (std::uint32_t i = 0; i < v.bodies; ++i) {
+        for (std::uint32_t i = 0; i < v.bodyItems; ++i) {
             const S b = bodyOf(v, i);
             const D spin = spinAhead(b, h);
             worst = larger(worst, magnitude((spin - b[B::AheadSpin]) * spin) * (h * h));
         }
         for (std::uint32_t i = 0; i < v.linkCount; ++i)
             if (v.links[i].turnsAlong) worst = larger(worst, missedAlong(v, i, h));
-        const auto missing = both(Elimination<W>::isActive(v), worst > all(small));
-        const auto closer = worst < smaller * loadLanes<W>(static_cast<const double*>(v.missed));
-        const D lost = missing ? (closer ? D{} : all(1)) : loadLanes<W>(static_cast<const double*>(v.lost));
+        worst = Items::largestOfIsland(worst);
+        const auto missing = both(isActive(v), worst > all(small));
+        const auto closer = worst < smaller * Items::ofIsland(v.missed);
+        const D lost = missing ? (closer ? D{} : all(1)) : Items::ofIsland(v.lost);
         const D active = missing ? (closer ? all(1) : D{}) : D{};
-        storeLanes(v.missed, worst);
-        storeLanes(v.lost, lost);
-        storeLanes(v.active, active);
+        Items::keepOfIsland(v.missed, worst);
+        Items::keepOfIsland(v.lost, lost);
+        Items::keepOfIsland(v.active, active);
         return anyOf<W>(active > D{});
     }
 
     static D missedAlong(const IslandLanes& v, std::uint32_t i, double h) {
-        const S l = linkOf(v, i), a = bodyOf(v, v.links[i].a), b = bodyOf(v, v.links[i].b);
+        const S l = linkOf(v, i);
+        const BodyAtEnd a = endOf(v, i, false), b = endOf(v, i, true);
         const D turnA = (spinAhead(a, h) - a[B::AheadSpin]) * h, turnB = (spinAhead(b, h) - b[B::AheadSpin]) * h;
         const auto ahead = [&](int c) {
             return (b[B::X + c] + b[B::Ux + c] * h - b[B::LaterX + c]) -

@@ -14,37 +14,36 @@
 
 namespace plumb {
 
-template <int W>
-struct Response : IslandItems<W> {
-    using D = typename Wide<W>::Double;
-    using S = Slots<W>;
+template <int W, LaneUse use>
+struct Response {
+    using Factors = BlockFactors<W, use>;
+    using D = typename Factors::D;
+    using S = typename Factors::S;
     using B = BodyField;
-    using Body = Elimination<W>;
-
-    static constexpr D all(double value) { return D{} + value; }
-    static S inverseOf(const IslandLanes& v, std::uint32_t i) { return {v.inverse + i * std::size_t{9} * S::N}; }
+    static S blockOf(const IslandLanes& v, std::uint32_t i) { return Factors::blockOf(v, i); }
+    static S inverseOf(const IslandLanes& v, std::uint32_t i) { return Factors::inverseOf(v, i); }
 
     static void find(IslandLanes& v) {
-        Body::makeFactors(v);
+        Elimination<W, use>::makeFactors(v);
         for (std::uint32_t i = 0; i < v.blocks; ++i)
             for (int c = 0; c < 9; ++c) inverseOf(v, i).set(c, D{});
         for (std::uint32_t k = v.stepCount; k-- > 0;) invert(v, k);
-        for (std::uint32_t i = 0; i < v.moved; ++i) bound(IslandItems<W>::bodyOf(v, i), inverseOf(v, i));
+        for (std::uint32_t i = 0; i < v.moved; ++i) bound(Factors::bodyAt(v, i), inverseOf(v, i));
     }
 
     static void invert(const IslandLanes& v, std::uint32_t k) {
         const std::uint32_t node = v.steps[k].node;
-        const S inverse = Body::blockOf(v, node), own = inverseOf(v, node);
+        const S inverse = blockOf(v, node), own = inverseOf(v, node);
         for (std::uint32_t u = v.steps[k].firstUpdate; u < v.steps[k + 1].firstUpdate; ++u) {
             const IslandShape::Update& update = v.updates[u];
             const S known = inverseOf(v, update.target);
-            addProduct<false>(inverseOf(v, update.left), known, Body::blockOf(v, update.right), inverse);
+            addProduct<false>(inverseOf(v, update.left), known, blockOf(v, update.right), inverse);
             if (update.left != update.right)
-                addProduct<true>(inverseOf(v, update.right), known, Body::blockOf(v, update.left), inverse);
+                addProduct<true>(inverseOf(v, update.right), known, blockOf(v, update.left), inverse);
         }
         for (int c = 0; c < 9; ++c) own.set(c, inverse[c]);
         for (std::uint32_t l = v.steps[k].firstLower; l < v.steps[k + 1].firstLower; ++l)
-            subtractSolved(own, inverse, Body::blockOf(v, v.lowers[l].block), inverseOf(v, v.lowers[l].block));
+            subtractSolved(own, inverse, blockOf(v, v.lowers[l].block), inverseOf(v, v.lowers[l].block));
     }
 
     /// to -= known L, with L = block inverse.
@@ -79,13 +78,20 @@ struct Response : IslandItems<W> {
             }
     }
 
-    static void bound(const S& b, const S& k) {
+    static void bound(const typename Factors::Item& b, const S& k) {
         const D half = 0.5 * (k[0] - k[4]);
-        const D a = larger(0.5 * (k[0] + k[4]) + squareRoot<W>(half * half + k[1] * k[1]), D{}), c = larger(k[8], D{});
+        const D a = atLeast0(0.5 * (k[0] + k[4]) + rootOf(half * half + k[1] * k[1])), c = atLeast0(k[8]);
         const auto both = a * c > D{};
-        const D cross = both ? squareRoot<W>((k[2] * k[2] + k[5] * k[5]) / (both ? a * c : all(1))) : D{};
+        const D cross = both ? rootOf((k[2] * k[2] + k[5] * k[5]) / (both ? a * c : Factors::all(1))) : D{};
         b.set(B::Response, a * (1.0 + cross));
         b.set(B::TurnResponse, c * (1.0 + cross));
+    }
+    static D atLeast0(D value) { return value > D{} ? value : D{}; }
+    static D rootOf(D square) {
+        if constexpr (Factors::isAlone)
+            return __builtin_sqrt(square);
+        else
+            return squareRoot<W>(square);
     }
 };
 

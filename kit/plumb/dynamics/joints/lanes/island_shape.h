@@ -22,6 +22,7 @@ enum class RowAxis : std::uint8_t {
 struct IslandShape {
     struct Link {
         std::uint32_t a = 0, b = 0;  ///< nodes of its bodies
+        std::uint32_t joints = 1;    ///< in the lanes of the item that it stands for (see island_bundles.h)
         bool turnsAlong = false;     ///< some row that holds has the direction from A's anchor to B's
     };
     struct Row {

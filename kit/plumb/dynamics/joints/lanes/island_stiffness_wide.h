@@ -13,23 +13,27 @@
 
 namespace plumb {
 
-template <int W>
-struct WideStiffness {
-    using D = typename Wide<W>::Double;
-    using S = Slots<W>;
+template <int W, LaneUse use>
+struct WideStiffness : IslandItems<W, use> {
+    using Items = IslandItems<W, use>;
+    using D = typename Items::D;
+    using S = typename Items::S;
+    using BodyAtEnd = typename Items::BodyAtEnd;
     using B = BodyField;
     using L = LinkField;
     using R = RowField;
-    using Body = Elimination<W>;
+    using Items::addToEnds;
+    using Items::all;
+    using Items::bodyOf;
+    using Items::endOf;
+    using Items::linkOf;
+    using Items::rowOf;
 
     static constexpr double memory = 2;  ///< in which the stiffness of a line that is no longer tight decays [s]
 
-    static constexpr D all(double value) { return D{} + value; }
-    static void add(const S& slots, int field, D value) { slots.set(field, slots[field] + value); }
-
     static void setMasses(IslandLanes& v, double h) {
-        for (std::uint32_t i = 0; i < v.moved; ++i) {
-            const S b = Body::bodyOf(v, i);
+        for (std::uint32_t i = 0; i < v.movedItems; ++i) {
+            const S b = bodyOf(v, i);
             const D mass = larger(b[B::OwnMass], h * h * b[B::StiffAlong]);
             v.factored = v.factored && !anyOf<W>(mass != b[B::Mass]);
             b.set(B::Mass, mass);
@@ -38,13 +42,13 @@ struct WideStiffness {
 
     static void findInertias(const IslandLanes& v, double h) {
         bool tight = false;
-        for (std::uint32_t i = 0; i < v.moved; ++i) {
-            const S b = Body::bodyOf(v, i);
+        for (std::uint32_t i = 0; i < v.movedItems; ++i) {
+            const S b = bodyOf(v, i);
             tight = tight || anyOf<W>(needed(b, h) > b[B::OwnInertia]);
         }
         if (tight) findNeighbours(v);
-        for (std::uint32_t i = 0; i < v.moved; ++i) {
-            const S b = Body::bodyOf(v, i);
+        for (std::uint32_t i = 0; i < v.movedItems; ++i) {
+            const S b = bodyOf(v, i);
             const D own = b[B::OwnInertia], alone = tight ? needed(b, h) - neighbourInertia(b) : D{};
             b.set(B::Inertia, own > D{} ? larger(own, alone) : D{});
         }
@@ -55,16 +59,16 @@ struct WideStiffness {
 
     static void noteForces(const IslandLanes& v, double h, bool inPieces) {
         const double rate = 2 / h;  // impulses are of half a sub-step
-        for (std::uint32_t i = 0; i < v.moved; ++i) {
-            Body::bodyOf(v, i).set(B::FreshAlong, D{});
-            Body::bodyOf(v, i).set(B::FreshTurning, D{});
+        for (std::uint32_t i = 0; i < v.movedItems; ++i) {
+            bodyOf(v, i).set(B::FreshAlong, D{});
+            bodyOf(v, i).set(B::FreshTurning, D{});
         }
         for (std::uint32_t j = 0; j < v.jointCount; ++j)
             if (!v.joints[j].turnsOnly) addForces(v, j, rate);
-        const auto active = Body::isActive(v);
+        const auto active = Items::isActive(v);
         const double half = 0.5 * h, kept = 1 - (half < memory ? half / memory : 1);
-        for (std::uint32_t i = 0; i < v.moved; ++i) {
-            const S b = Body::bodyOf(v, i);
+        for (std::uint32_t i = 0; i < v.movedItems; ++i) {
+            const S b = bodyOf(v, i);
             const auto note = [&](int field, int fresh) {
                 b.set(field, active ? larger(b[fresh], kept * b[field]) : b[field]);
             };
@@ -77,11 +81,11 @@ struct WideStiffness {
 
     static void addForces(const IslandLanes& v, std::uint32_t j, double rate) {
         for (std::uint32_t part = 0, i = v.joints[j].firstLink; i < v.joints[j + 1].firstLink; ++i, ++part) {
-            const S l = Body::linkOf(v, i);
+            const S l = linkOf(v, i);
             D x{}, y{}, aside{};
             const int axis = part == 0 ? R::AxisX : R::SecondAxisX;
             for (std::uint32_t r = v.joints[j].firstRow; r < v.joints[j + 1].firstRow; ++r) {
-                const S row = Body::rowOf(v, r);
+                const S row = rowOf(v, r);
                 const D force = row[R::Impulse] * rate;
                 x += row[axis] * force;
                 y += row[axis + 1] * force;
@@ -90,46 +94,36 @@ struct WideStiffness {
                 const auto isRod = length > D{};
                 aside = isRod ? 2 * magnitude(force) / (isRod ? length : all(1)) : D{};
             }
-            addForce(v, v.links[i].a, -(x * l[L::ArmAx] + y * l[L::ArmAy]), aside);
-            addForce(v, v.links[i].b, x * l[L::ArmBx] + y * l[L::ArmBy], aside);
+            addToEnds(v, i, B::FreshTurning, -(x * l[L::ArmAx] + y * l[L::ArmAy]), x * l[L::ArmBx] + y * l[L::ArmBy]);
+            addToEnds(v, i, B::FreshAlong, aside, aside);
         }
-    }
-    static void addForce(const IslandLanes& v, std::uint32_t body, D turning, D along) {
-        if (body >= v.moved) return;
-        add(Body::bodyOf(v, body), B::FreshTurning, turning);
-        add(Body::bodyOf(v, body), B::FreshAlong, along);
     }
 
     /// The least effective mass, over all directions, of a neighbour at its anchor. A fixed one counts as a million
     /// times the body's own mass.
-    static D leastMass(const IslandLanes& v, std::uint32_t neighbour, D armX, D armY, D own) {
-        if (neighbour >= v.moved) return 1e6 * own;
-        const S n = Body::bodyOf(v, neighbour);
-        const auto turns = n[B::Inertia] > D{};
-        const D turning = turns ? (armX * armX + armY * armY) / (turns ? n[B::Inertia] : all(1)) : D{};
-        return 1.0 / (1.0 / n[B::Mass] + turning);
+    static D leastMass(const BodyAtEnd& neighbour, D moves, D armX, D armY, D own) {
+        const D inertia = neighbour[B::Inertia];
+        const auto turns = inertia > D{};
+        const D turning = turns ? (armX * armX + armY * armY) / (turns ? inertia : all(1)) : D{};
+        return moves > D{} ? 1.0 / (1.0 / neighbour[B::Mass] + turning) : 1e6 * own;
     }
 
     static void findNeighbours(const IslandLanes& v) {
-        for (std::uint32_t i = 0; i < v.moved; ++i)
-            for (int f = B::NearMass; f <= B::NearSquares; ++f) Body::bodyOf(v, i).set(f, D{});
+        for (std::uint32_t i = 0; i < v.movedItems; ++i)
+            for (int f = B::NearMass; f <= B::NearSquares; ++f) bodyOf(v, i).set(f, D{});
         for (std::uint32_t j = 0; j < v.jointCount; ++j) {
             if (!v.joints[j].holdsPoint) continue;
-            const std::uint32_t i = v.joints[j].firstLink, a = v.links[i].a, b = v.links[i].b;
-            const S l = Body::linkOf(v, i);
-            addNeighbour(v, a, b, l[L::ArmAx], l[L::ArmAy], l[L::ArmBx], l[L::ArmBy]);
-            addNeighbour(v, b, a, l[L::ArmBx], l[L::ArmBy], l[L::ArmAx], l[L::ArmAy]);
+            const std::uint32_t i = v.joints[j].firstLink;
+            const S l = linkOf(v, i);
+            const D ax = l[L::ArmAx], ay = l[L::ArmAy], bx = l[L::ArmBx], by = l[L::ArmBy];
+            const BodyAtEnd a = endOf(v, i, false), b = endOf(v, i, true);
+            const D forA = leastMass(b, Items::movesAt(v, i, true), bx, by, a[B::Mass]);
+            const D forB = leastMass(a, Items::movesAt(v, i, false), ax, ay, b[B::Mass]);
+            addToEnds(v, i, B::NearMass, forA, forB);
+            addToEnds(v, i, B::NearX, forA * ax, forB * bx);
+            addToEnds(v, i, B::NearY, forA * ay, forB * by);
+            addToEnds(v, i, B::NearSquares, forA * (ax * ax + ay * ay), forB * (bx * bx + by * by));
         }
-    }
-    static void addNeighbour(const IslandLanes& v, std::uint32_t body, std::uint32_t other, D x, D y, D otherX,
-                             D otherY) {
-        if (body >= v.moved) return;
-        const S b = Body::bodyOf(v, body);
-        const D mass = leastMass(v, other, otherX, otherY, b[B::Mass]);
-        add(b, B::NearMass, mass);
-        add(b, B::NearX, mass * x);
-        add(b, B::NearY, mass * y);
-        add(b, B::NearSquares, mass * (x * x + y * y));
     }
 
     /// The inertia that neighbours add when the body turns, each taken as connected to this body only:

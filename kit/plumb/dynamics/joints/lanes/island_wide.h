@@ -9,23 +9,25 @@
 
 namespace plumb {
 
-template <int W>
-struct WideIslands : IslandItems<W> {
-    using D = typename Wide<W>::Double;
-    using S = Slots<W>;
+template <int W, LaneUse use>
+struct WideIslands : IslandItems<W, use> {
+    using Items = IslandItems<W, use>;
+    using D = typename Items::D;
+    using S = typename Items::S;
     using B = BodyField;
     using L = LinkField;
     using R = RowField;
     using Curve = RowCurve<W>;
-    using Places = WidePlaces<W>;
-    using IslandItems<W>::bodyOf;
-    using IslandItems<W>::linkOf;
-    using IslandItems<W>::rowOf;
-
-    static constexpr D all(double value) { return D{} + value; }
+    using Places = WidePlaces<W, use>;
+    using Equations = Elimination<W, use>;
+    using Items::all;
+    using Items::bodyOf;
+    using Items::isActive;
+    using Items::linkOf;
+    using Items::rowOf;
 
     static void kick(const IslandLanes& v) {
-        for (std::uint32_t i = 0; i < v.moved; ++i) {
+        for (std::uint32_t i = 0; i < v.movedItems; ++i) {
             const S b = bodyOf(v, i);
             const D share = b[B::OwnMass] / b[B::Mass];  // what is added to a mass has no weight
             b.set(B::FreeX, b[B::Vx] * b[B::KeepLinear] + b[B::GainX] * share);
@@ -35,7 +37,7 @@ struct WideIslands : IslandItems<W> {
     }
 
     static void guess(const IslandLanes& v, double share) {
-        for (std::uint32_t i = 0; i < v.bodies; ++i) {
+        for (std::uint32_t i = 0; i < v.bodyItems; ++i) {
             const S b = bodyOf(v, i);
             for (int c = 0; c < 3; ++c) b.set(B::Ux + c, b[B::Vx + c] + (b[B::Vx + c] - b[B::MovedX + c]) * share);
         }
@@ -62,7 +64,7 @@ struct WideIslands : IslandItems<W> {
     /// By how much a row's predicted motion differs from its speed.
     static D bendOf(const IslandLanes& v, std::uint32_t i, const IslandTurn& turn) {
         const S row = rowOf(v, i);
-        return Elimination<W>::speedOf(v, i, B::Ux, B::AheadSpin) -
+        return Equations::speedOf(v, i, B::Ux, B::AheadSpin) -
                (Places::coordinateOf(v, v.rows[i], row, true) - row[R::Coordinate]) * turn.rate;
     }
 
@@ -91,7 +93,7 @@ struct WideIslands : IslandItems<W> {
     }
     /// Where a lane is active. Others keep what they want.
     static void holdRow(const IslandLanes& v, const S& row, D speed) {
-        row.set(R::Speed, Elimination<W>::isActive(v) ? speed : row[R::Speed]);
+        row.set(R::Speed, isActive(v) ? speed : row[R::Speed]);
     }
 
     static void driveRow(const IslandLanes& v, const IslandShape::Row& shape, const S& row, D bend,
@@ -102,8 +104,8 @@ struct WideIslands : IslandItems<W> {
         row.set(R::Low, -high);
         D target = row[R::DriveSpeed] - row[R::DriveRate] * q;
         if (shape.axis[0] == RowAxis::Missing || shape.axis[0] == RowAxis::Beside) {
-            const S l = linkOf(v, shape.link), a = bodyOf(v, v.links[shape.link].a);
-            const auto wanted = Places::wantedVelocity(row, l, a);
+            const auto wanted =
+                Places::wantedVelocity(row, linkOf(v, shape.link), Items::endOf(v, shape.link, false));
             target = row[R::AxisX] * wanted.x + row[R::AxisY] * wanted.y;
         }
         const D above = Curve::roomSpeed(row[R::LimitUpper] - q, turn);
@@ -118,7 +120,7 @@ struct WideIslands : IslandItems<W> {
         if (!turn.onlyHold && anyOf<W>(growth > D{})) {
             const auto movable = w > D{};
             const D divisor = movable ? w : all(1);
-            const auto isEarly = both(movable, loadLanes<W>(static_cast<const double*>(v.heavy)) == D{});
+            const auto isEarly = both(movable, Items::ofIsland(v.heavy) == D{});
             const D early = isEarly ? -growth / (1.0 + growth) / divisor * row[R::NotedSpeed] : D{};
             const D late = movable ? growth / divisor : D{};
             if (turn.correct && !shape.bounded) {
@@ -140,18 +142,18 @@ struct WideIslands : IslandItems<W> {
     /// Pieces of a sub-step have halves of their own.
     static D takenBack(const IslandLanes& v, const S& row, const IslandTurn& turn) {
         const D given = row[R::StopPush];
-        if (turn.correct != turn.onlyHold) row.set(R::StopPush, Elimination<W>::isActive(v) ? D{} : given);
+        if (turn.correct != turn.onlyHold) row.set(R::StopPush, isActive(v) ? D{} : given);
         return turn.correct ? D{} : given;
     }
 
     /// Returns true if some row came to another part of its curve.
     static bool changeStates(const IslandLanes& v) {
-        const auto active = Elimination<W>::isActive(v);
+        const auto active = isActive(v);
         bool changed = false;
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             if (v.rows[i].holds) continue;
             const S row = rowOf(v, i);
-            const D next = Curve::nextState(row, Elimination<W>::speedOf(v, i, B::Ux, B::Uspin), v.rows[i].bounded);
+            const D next = Curve::nextState(row, Equations::speedOf(v, i, B::Ux, B::Uspin), v.rows[i].bounded);
             const D state = row[R::State], now = active ? next : state;
             changed = changed || anyOf<W>(now != state);
             row.set(R::State, now);
@@ -183,9 +185,9 @@ struct WideIslands : IslandItems<W> {
         bool changed = false;
         for (int turn = 0; turn < mostTurns; ++turn) {
             findEquations(v);
-            Elimination<W>::start(v);
-            Elimination<W>::applyKnown(v);
-            Elimination<W>::solve(v);
+            Equations::start(v);
+            Equations::applyKnown(v);
+            Equations::solve(v);
             if (!v.someFree || turn + 1 == mostTurns || !changeStates(v)) break;
             changed = true;
         }
@@ -196,14 +198,14 @@ struct WideIslands : IslandItems<W> {
     static void solvePush(IslandLanes& v) {
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const S row = rowOf(v, i);
-            const D speed = Elimination<W>::speedOf(v, i, B::Vx, B::Spin);
+            const D speed = Equations::speedOf(v, i, B::Vx, B::Spin);
             holdRow(v, row, speed);
             if (v.rows[i].holds) continue;
             const D rigid = v.compliance * row[R::InverseMass];
             const D compliance = row[R::State] > all(Curve::atHigh) ? rigid : all(Curve::notSolved);
             setEquation(v, row, speed, compliance, D{});
         }
-        Elimination<W>::solve(v);
+        Equations::solve(v);
     }
 
     static void findResponses(IslandLanes& v) {
@@ -215,12 +217,12 @@ struct WideIslands : IslandItems<W> {
             const D soft = isSoft ? 1.0 / (isSoft ? slope : all(1)) : all(Curve::notSolved);
             setEquation(v, row, D{}, row[R::Loaded] > D{} ? rigid : soft, D{});
         }
-        Response<W>::find(v);
+        Response<W, use>::find(v);
     }
 
     static void accept(const IslandLanes& v) {
-        const auto active = Elimination<W>::isActive(v);
-        for (std::uint32_t i = 0; i < v.moved; ++i) {
+        const auto active = isActive(v);
+        for (std::uint32_t i = 0; i < v.movedItems; ++i) {
             const S b = bodyOf(v, i);
             b.set(B::Vx, active ? b[B::Ux] : b[B::Vx]);
             b.set(B::Vy, active ? b[B::Uy] : b[B::Vy]);
@@ -245,17 +247,17 @@ struct WideIslands : IslandItems<W> {
         const D atTarget = state == all(Curve::atTarget) ? pressed : D{};
         const D upper = state == all(Curve::atUpperStop) ? all(-1) : atTarget;
         const D sign = state == all(Curve::atLowerStop) ? all(1) : upper;
-        const D aside = row[R::Push] - row[R::Slope] * Elimination<W>::speedOf(v, i, B::Ux, B::Uspin);
+        const D aside = row[R::Push] - row[R::Slope] * Equations::speedOf(v, i, B::Ux, B::Uspin);
         const D given = larger(sign * (row[R::Impulse] - aside) - (sign == pressed ? D{} : high), D{});
         const D change =
-            (sign > D{} ? row[R::LowerStop] : row[R::UpperStop]) - Elimination<W>::speedOf(v, i, B::FreeX, B::FreeSpin);
+            (sign > D{} ? row[R::LowerStop] : row[R::UpperStop]) - Equations::speedOf(v, i, B::FreeX, B::FreeSpin);
         const auto counts = both(both(back > D{}, sign != D{}), high < all(Curve::unlimited));
         const D share = counts ? back / (counts ? larger(sign * change, back) : all(1)) : D{};
         row.set(R::StopPush, row[R::StopPush] + (counts ? sign * given * share : D{}));
     }
 
     static void addLoads(const IslandLanes& v) {
-        const auto active = Elimination<W>::isActive(v);
+        const auto active = isActive(v);
         for (std::uint32_t j = 0; j < v.jointCount; ++j) {
             const S joint{v.joint + j * std::size_t{JointField::count} * S::N};
             for (std::uint32_t i = v.joints[j].firstRow; i < v.joints[j + 1].firstRow; ++i)
@@ -279,13 +281,13 @@ struct WideIslands : IslandItems<W> {
     }
 };
 
-template <int W>
-const IslandKernel WideIslandKernel<W>::code{
-    WidePlaces<W>::move,           WidePlaces<W>::place,        WidePlaces<W>::noteSpeeds,
-    WideIslands<W>::guess,         WideIslands<W>::prepare,     WideIslands<W>::predictAgain,
-    WideIslands<W>::predictHeld,   WideIslands<W>::solve,       WideIslands<W>::solvePush,
-    WideIslands<W>::findResponses, WideIslands<W>::accept,      WideIslands<W>::addLoads,
-    WideStiffness<W>::noteForces,  WideStiffness<W>::setMasses, WideIslands<W>::kick,
-    WideStiffness<W>::findInertias};
+template <int W, LaneUse use>
+const IslandKernel WideIslandKernel<W, use>::code{
+    WidePlaces<W, use>::move,           WidePlaces<W, use>::place,        WidePlaces<W, use>::noteSpeeds,
+    WideIslands<W, use>::guess,         WideIslands<W, use>::prepare,     WideIslands<W, use>::predictAgain,
+    WideIslands<W, use>::predictHeld,   WideIslands<W, use>::solve,       WideIslands<W, use>::solvePush,
+    WideIslands<W, use>::findResponses, WideIslands<W, use>::accept,      WideIslands<W, use>::addLoads,
+    WideStiffness<W, use>::noteForces,  WideStiffness<W, use>::setMasses, WideIslands<W, use>::kick,
+    WideStiffness<W, use>::findInertias};
 
 }  // namespace plumb
