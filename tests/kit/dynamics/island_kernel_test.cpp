@@ -108,7 +108,7 @@ void drawNumbers(Random& random, KernelNumbers& lanes, bool allTurn = false) {
     for (std::size_t i = 0; i < layout.rows.size(); ++i) {
         const double inverseMass = dense.inverseMassOf(static_cast<Eigen::Index>(i));
         lanes.row(i, RowField::InverseMass) = inverseMass;
-        lanes.row(i, RowField::Compliance) = inverseMass > 0 ? lanes.view.compliance * inverseMass : -1;
+        lanes.row(i, RowField::Compliance) = inverseMass > 0 ? lanes.view().compliance * inverseMass : -1;
     }
 }
 
@@ -126,7 +126,7 @@ double differenceFromDense(KernelNumbers& lanes, const std::vector<double>& want
         for (Eigen::Index i = 0; i < moved; ++i)
             matrix(moved + r, i) = matrix(i, moved + r) = dense.inverseMass[i] > 0 ? -dense.rows(r, i) : 0;
         const double own = dense.inverseMassOf(r);
-        matrix(moved + r, moved + r) = own > 0 ? -lanes.view.compliance * own : -1;
+        matrix(moved + r, moved + r) = own > 0 ? -lanes.view().compliance * own : -1;
         if (own > 0) right[moved + r] = dense.rows.row(r).dot(dense.before) - wanted[static_cast<std::size_t>(r)];
     }
     const Eigen::VectorXd truth = matrix.fullPivLu().solve(right).template cast<double>();
@@ -211,7 +211,7 @@ TEST_CASE("joints of random trees and loops get the impulses of a dense solution
             KernelNumbers lanes(layout, 1);
             drawNumbers(random, lanes, kind.allTurn);
             const std::vector<double> wanted = wantedSpeeds(lanes);
-            CHECK_FALSE(plumb::islandKernel(1).solve(lanes.view));
+            CHECK_FALSE(lanes.solve());
             worst = std::max(worst, differenceFromDense(lanes, wanted));
         }
         CHECK(worst < kind.error);
@@ -230,7 +230,7 @@ TEST_CASE("rows with motors, springs and limits come to rest on their curves", "
         KernelNumbers lanes(layout, 1);
         drawNumbers(random, lanes);
         bool changes = true;
-        for (int turn = 0; turn < 10 && changes; ++turn) changes = plumb::islandKernel(1).solve(lanes.view);
+        for (int turn = 0; turn < 10 && changes; ++turn) changes = lanes.solve();
         if (changes) continue;
         ++settled;
         const DenseRows dense(lanes);
@@ -257,9 +257,9 @@ TEST_CASE("joint islands that are solved side by side get the bits that each get
         for (const std::size_t width : widths()) {
             KernelNumbers& lanes = *wide.emplace_back(std::make_unique<KernelNumbers>(layout, width));
             for (std::size_t lane = 0; lane < width; ++lane) lanes.take(*singles[lane], lane);
-            plumb::islandKernel(static_cast<int>(width)).solve(lanes.view);
+            lanes.solve();
         }
-        for (const auto& single : singles) plumb::islandKernel(1).solve(single->view);
+        for (const auto& single : singles) single->solve();
         for (std::size_t i = 0; i < wide.size(); ++i)
             for (std::size_t lane = 0; lane < widths()[i]; ++lane) CHECK(wide[i]->hasBitsOf(*singles[lane], lane));
     }

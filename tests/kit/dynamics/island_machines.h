@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <plumb/dynamics/joints/lanes/island_kernel.h>
-#include <plumb/dynamics/joints/lanes/island_layout.h>
+#include <plumb/dynamics/joints/island_numbers.h>
 #include <plumb/math/random.h>
 
 namespace plumb::test {
@@ -76,73 +75,57 @@ inline RandomMachine randomMachine(Random& random, const MachineParts& most) {
     return RandomMachine(random, size, parts);
 }
 
-/// The numbers of W islands of one layout, as the kernel takes them.
+/// The numbers of some islands of one layout, as the kernel takes them.
 class KernelNumbers {
 public:
-    KernelNumbers(std::shared_ptr<const IslandLayout> layout, std::size_t width)
-        : layout_(std::move(layout)), width_(width) {
-        const IslandLayout& l = *layout_;
-        const std::size_t sizes[] = {l.bodies * std::size_t{BodyField::count},
-                                     l.links.size() * LinkField::count,
-                                     l.rows.size() * RowField::count,
-                                     l.jointCount() * std::size_t{JointField::count},
-                                     l.blocks * std::size_t{9},
-                                     (l.moved + l.jointCount()) * std::size_t{3}};
-        std::size_t total = 0;
-        for (const std::size_t size : sizes) total += size * width;
-        numbers_.assign(total, 0.0);
-        double** const arrays[] = {&view.body, &view.link, &view.row, &view.joint, &view.block, &view.solution};
-        double* at = numbers_.data();
-        for (std::size_t i = 0; i < std::size(sizes); at += sizes[i] * width, ++i) *arrays[i] = at;
-        setShape(l);
+    KernelNumbers(std::shared_ptr<const IslandLayout> layout, std::size_t width) : islands_(width) {
+        std::vector<JointIsland*> some;
+        for (JointIsland& island : islands_) {
+            island.layout = layout;
+            some.push_back(&island);
+        }
+        numbers_.layOut(some, most);
+        numbers_.activateAll();
+        numbers_.view.slack = 0;  // the dense solution has none
     }
     KernelNumbers(const KernelNumbers&) = delete;
     KernelNumbers& operator=(const KernelNumbers&) = delete;
 
-    const IslandLayout& layout() const { return *layout_; }
-    double& body(std::size_t i, int field) { return view.body[(i * BodyField::count + at(field)) * width_]; }
-    double& row(std::size_t i, int field) { return view.row[(i * RowField::count + at(field)) * width_]; }
+    const IslandLayout& layout() const { return *numbers_.layout; }
+    IslandLanes& view() { return numbers_.view; }
+    double& body(std::size_t i, int field, std::size_t lane = 0) { return numbers_.body(i, field, lane); }
+    double& row(std::size_t i, int field, std::size_t lane = 0) { return numbers_.row(i, field, lane); }
+
+    bool solve() {
+        numbers_.fillLanes();
+        return numbers_.kernel().solve(numbers_.view);
+    }
 
     /// Of one lane; the others have only one.
-    void take(const KernelNumbers& single, std::size_t lane) {
-        for (std::size_t k = 0; k < single.numbers_.size(); ++k) numbers_[k * width_ + lane] = single.numbers_[k];
+    void take(KernelNumbers& single, std::size_t lane) {
+        forEachNumber(single, lane, [](double& own, double& other) { own = other; });
     }
-    bool hasBitsOf(const KernelNumbers& single, std::size_t lane) const {
-        for (std::size_t k = 0; k < single.numbers_.size(); ++k)
-            if (std::memcmp(&numbers_[k * width_ + lane], &single.numbers_[k], sizeof(double)) != 0) return false;
-        return true;
+    bool hasBitsOf(KernelNumbers& single, std::size_t lane) {
+        bool same = true;
+        forEachNumber(single, lane, [&](double& own, double& other) {
+            same = same && std::memcmp(&own, &other, sizeof own) == 0;
+        });
+        return same;
     }
-
-    IslandLanes view;
 
 private:
-    static std::size_t at(int field) { return static_cast<std::size_t>(field); }
-    void setShape(const IslandLayout& l) {
-        view.links = l.links.data();
-        view.rows = l.rows.data();
-        view.ends = l.ends.data();
-        view.joints = l.joints.data();
-        view.steps = l.steps.data();
-        view.lowers = l.lowers.data();
-        view.updates = l.updates.data();
-        view.moved = l.moved;
-        view.bodies = l.bodies;
-        view.linkCount = static_cast<std::uint32_t>(l.links.size());
-        view.rowCount = static_cast<std::uint32_t>(l.rows.size());
-        view.jointCount = l.jointCount();
-        view.stepCount = static_cast<std::uint32_t>(l.steps.size() - 1);
-        view.blocks = l.blocks;
-        view.firstFill = l.firstFill;
-        view.someFree = l.someFree;
-        view.active = active_.data();
-        view.heavy = heavy_.data();
-        view.compliance = l.isTree ? 0 : plumb::relativeCompliance;
+    static constexpr int most = 16;  ///< floats in a vector
+
+    template <class Visit>
+    void forEachNumber(KernelNumbers& single, std::size_t lane, Visit&& visit) {
+        for (std::size_t i = 0; i < layout().bodies; ++i)
+            for (int f = 0; f < BodyField::count; ++f) visit(body(i, f, lane), single.body(i, f));
+        for (std::size_t i = 0; i < layout().rows.size(); ++i)
+            for (int f = 0; f < RowField::count; ++f) visit(row(i, f, lane), single.row(i, f));
     }
 
-    std::shared_ptr<const IslandLayout> layout_;
-    std::size_t width_;
-    std::vector<double> numbers_;
-    std::vector<double> active_ = std::vector<double>(8, 1.0), heavy_ = std::vector<double>(8, 0.0);
+    std::vector<JointIsland> islands_;
+    IslandNumbers numbers_;
 };
 
 /// The rows of a machine as a matrix, over the velocities of all bodies. Turning of a body that cannot turn has no

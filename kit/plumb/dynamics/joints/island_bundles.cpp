@@ -27,6 +27,25 @@ std::uint32_t placeOf(std::size_t item, int fields, std::size_t lanes, std::size
     return static_cast<std::uint32_t>(item * static_cast<std::size_t>(fields) * lanes + lane);
 }
 
+/// A block of its own, for what is not solved.
+IslandShape::BlockPlace nowhere(const IslandLayout& layout, bool isAlone) {
+    return {static_cast<std::uint32_t>(layout.blocks * (isAlone ? BlockNumbers::alone : BlockNumbers::beside)), 1, 3,
+            true};
+}
+
+IslandShape::BlockPlace blockPlaceOf(const IslandLayout& layout, std::size_t joint, std::uint32_t part, bool isB,
+                                     bool isAlone) {
+    for (std::uint32_t e = layout.joints[joint].firstEnd; e < layout.joints[joint + 1].firstEnd; ++e) {
+        const IslandShape::End& end = layout.ends[e];
+        if (end.part != part || end.isB != isB) continue;
+        const std::size_t size = isAlone ? BlockNumbers::alone : BlockNumbers::beside;
+        const std::uint16_t along = isAlone ? 4 : 1, across = isAlone ? 1 : 3;
+        return {static_cast<std::uint32_t>(end.block * size), end.transposed ? across : along,
+                end.transposed ? along : across, end.isFirst};
+    }
+    return nowhere(layout, isAlone);
+}
+
 }  // namespace
 
 void IslandBundles::lay(const IslandLayout& layout, LaneUse use, std::size_t lanes) {
@@ -41,6 +60,8 @@ void IslandBundles::lay(const IslandLayout& layout, LaneUse use, std::size_t lan
     links.clear();
     rows.clear();
     endPlaces.clear();
+    solvedPlaces.clear();
+    blockPlaces.clear();
     linkPlaces.assign(layout.links.size(), 0);
     rowPlaces.assign(layout.rows.size(), 0);
     jointPlaces.assign(count, 0);
@@ -77,16 +98,21 @@ void IslandBundles::bundle(const IslandLayout& layout, std::size_t first, std::s
 
 void IslandBundles::placeEnds(const IslandLayout& layout, std::size_t first, std::size_t count, std::size_t bodies) {
     const IslandShape::Joint* one = &layout.joints[first];
+    for (std::size_t l = 0; l < bodies; ++l)
+        solvedPlaces.push_back(
+            static_cast<std::uint32_t>((layout.moved + first + std::min(l, count - 1)) * NodeNumbers::alone));
     for (std::uint32_t k = 0; k < one[1].firstLink - one->firstLink; ++k)
         for (const bool isB : {false, true})
             for (std::size_t l = 0; l < bodies; ++l) {
-                const IslandShape::Link& link = layout.links[layout.joints[first + std::min(l, count - 1)].firstLink + k];
+                const std::size_t joint = first + std::min(l, count - 1);
+                const IslandShape::Link& link = layout.links[layout.joints[joint].firstLink + k];
                 endPlaces.push_back(bodyPlaces[isB ? link.b : link.a]);
+                blockPlaces.push_back(l < count ? blockPlaceOf(layout, joint, k, isB, bodies > 1) : nowhere(layout, bodies > 1));
             }
 }
 
 std::size_t IslandBundles::bytes() const {
-    return bytesOf(joints) + bytesOf(links) + bytesOf(rows) + bytesOf(endPlaces) + bytesOf(bodyPlaces) +
+    return bytesOf(joints) + bytesOf(links) + bytesOf(rows) + bytesOf(endPlaces) + bytesOf(blockPlaces) + bytesOf(solvedPlaces) + bytesOf(bodyPlaces) +
            bytesOf(linkPlaces) + bytesOf(rowPlaces) + bytesOf(jointPlaces);
 }
 

@@ -14,7 +14,8 @@ struct IslandBundles {
     std::vector<IslandShape::Joint> joints;  ///< and one past the end
     std::vector<IslandShape::Link> links;
     std::vector<IslandShape::Row> rows;
-    std::vector<std::uint32_t> endPlaces;  ///< see IslandLanes
+    std::vector<std::uint32_t> endPlaces, solvedPlaces;  ///< see IslandLanes
+    std::vector<IslandShape::BlockPlace> blockPlaces;
     std::uint32_t bodyItems = 0, movedItems = 0, movedEnd = 0;
 
     /// Where the numbers of each part of the layout begin, in the first of its lanes.

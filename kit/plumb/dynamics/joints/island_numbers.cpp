@@ -23,7 +23,8 @@ void showLayout(IslandLanes& view, const IslandLayout& layout, const IslandBundl
     view.laid = layout.joints.data();
     view.bodyPlaces = bundles.bodyPlaces.data();
     view.rowPlaces = bundles.rowPlaces.data();
-    view.ends = layout.ends.data();
+    view.solvedPlaces = bundles.solvedPlaces.data();
+    view.blockPlaces = bundles.blockPlaces.data();
     view.steps = layout.steps.data();
     view.lowers = layout.lowers.data();
     view.updates = layout.updates.data();
@@ -55,16 +56,18 @@ void IslandNumbers::layOut(std::span<JointIsland* const> some, int mostFloats) {
     code = now;
     bundles.lay(*layout, code.use, code.lanes);
     showLayout(view, *layout, bundles);
-    const std::size_t systems = code.use == LaneUse::Joints ? 1 : width;
+    const bool isAlone = code.use == LaneUse::Joints;
+    const std::size_t block = isAlone ? BlockNumbers::alone : BlockNumbers::beside * width;
+    const std::size_t node = isAlone ? NodeNumbers::alone : NodeNumbers::beside * width;
     const std::size_t nodes = layout->moved + layout->jointCount();
     const std::pair<double**, std::size_t> arrays[] = {
         {&view.body, view.bodyItems * std::size_t{BodyField::count} * code.lanes},
         {&view.link, view.linkCount * std::size_t{LinkField::count} * code.lanes},
         {&view.row, view.rowCount * std::size_t{RowField::count} * code.lanes},
         {&view.joint, view.jointCount * std::size_t{JointField::count} * code.lanes},
-        {&view.block, layout->blocks * std::size_t{9} * systems},
-        {&view.solution, nodes * 3 * systems},
-        {&view.inverse, layout->blocks * std::size_t{9} * systems}};
+        {&view.block, (layout->blocks + 1) * block},
+        {&view.solution, nodes * node},
+        {&view.inverse, layout->blocks * block}};
     std::size_t total = 0;
     constexpr std::size_t line = 8;  // doubles in a cache line: no vector lies across two of them
     for (const auto& [array, size] : arrays) total += size + line;

@@ -17,16 +17,19 @@ struct Graph {
     /// longest: both ends of a chain go in turn, and the processor need not wait for the one while it works on the
     /// other.
     std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> byDegree;
-    std::vector<std::uint32_t> since;  ///< of each node
+    std::vector<std::uint32_t> since;   ///< of each node
+    std::vector<std::uint32_t> leaves;  ///< of each unknown: constraints that go right after it
     std::uint32_t blocks = 0, changes = 0;
+
+    std::size_t degreeOf(std::uint32_t node, std::size_t neighbours) const { return neighbours - leaves[node]; }
 
     void add(std::uint32_t node) {
         since[node] = changes++;
-        byDegree.insert({blockTo[node].size(), since[node], node});
+        byDegree.insert({degreeOf(node, blockTo[node].size()), since[node], node});
     }
     void setDegree(std::uint32_t node, std::size_t before) {
         if (!mayGo[node]) return;
-        byDegree.erase({before, since[node], node});
+        byDegree.erase({degreeOf(node, before), since[node], node});
         add(node);
     }
     void release(std::uint32_t node) {
@@ -44,7 +47,7 @@ struct Graph {
         return blocks++;
     }
     void remove(std::uint32_t node) {
-        byDegree.erase({blockTo[node].size(), since[node], node});
+        byDegree.erase({degreeOf(node, blockTo[node].size()), since[node], node});
         for (const auto& [other, block] : blockTo[node]) {
             blockTo[other].erase(node);
             setDegree(other, blockTo[other].size() + 1);
@@ -55,7 +58,8 @@ struct Graph {
 }  // namespace
 
 std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t unknowns, std::uint32_t constraints,
-                                            std::span<const BlockPlan::Edge> edges, std::size_t mostUpdates) {
+                                            std::span<const BlockPlan::Edge> edges, std::size_t mostUpdates,
+                                            bool fromWalls) {
     const std::uint32_t nodes = unknowns + constraints;
     auto plan = std::make_shared<BlockPlan>();
     Graph graph;
@@ -63,8 +67,11 @@ std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t unknowns, std::uint32_
     graph.blocks = nodes;
     graph.mayGo.resize(nodes);
     graph.since.resize(nodes);
-    for (std::uint32_t node = 0; node < unknowns; ++node) graph.release(node);
+    graph.leaves.resize(nodes);
     for (const BlockPlan::Edge& edge : edges) plan->places.push_back({graph.connect(edge.first, edge.second), false});
+    for (std::uint32_t node = unknowns; node < nodes && fromWalls; ++node)
+        if (graph.blockTo[node].size() == 1) ++graph.leaves[graph.blockTo[node].begin()->first];
+    for (std::uint32_t node = 0; node < unknowns; ++node) graph.release(node);
     std::vector<std::uint32_t> rank(nodes);
     // The row of a block is the node that is eliminated later: for new blocks (fill-in) known once all nodes have a
     // rank.

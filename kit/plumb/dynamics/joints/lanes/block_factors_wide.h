@@ -2,8 +2,10 @@
 // How is a matrix of blocks factored, and how are its equations solved?
 //
 // A symmetric matrix of positive masses and of rows has a factorisation L D L^T in any order of its nodes; here in that
-// of the layout, where a tree goes from its leaves: A_ij -= A_ik D_k^-1 A_jk^T for the neighbours i, j of a node k. The
-// blocks of several islands lie side by side, or those of one island alone.
+// of the layout, where a tree goes from its leaves: A_ij -= A_ik D_k^-1 A_jk^T for the neighbours i, j of a node k.
+// Afterwards the diagonal holds D_k^-1, and each block below it L_ik = A_ik D_k^-1.
+// All is done by columns of blocks. Of islands side by side, each number of a column is a vector; of one island alone,
+// each column is one, and its blocks have their rows, too.
 // Source: Baraff, "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996; Vanderbei, "Symmetric quasidefinite
 // matrices", SIAM J. Optim. 5 (1995) 100.
 #pragma once
@@ -11,11 +13,37 @@
 
 namespace plumb {
 
+/// Rows of W islands' columns.
+template <int W, int rows>
+struct ColumnLanes {
+    using D = typename Wide<W>::Double;
+    static constexpr std::size_t count = rows;
+    D at[count];
+
+    ColumnLanes operator*(const D& factor) const {
+        ColumnLanes result;
+        for (int i = 0; i < rows; ++i) result.at[i] = at[i] * factor;
+        return result;
+    }
+    ColumnLanes operator+(const ColumnLanes& other) const {
+        ColumnLanes result;
+        for (int i = 0; i < rows; ++i) result.at[i] = at[i] + other.at[i];
+        return result;
+    }
+    ColumnLanes operator-(const ColumnLanes& other) const {
+        ColumnLanes result;
+        for (int i = 0; i < rows; ++i) result.at[i] = at[i] - other.at[i];
+        return result;
+    }
+};
+
 template <int W, LaneUse use>
 struct BlockFactors {
     static constexpr bool isAlone = use == LaneUse::Joints;
     using D = std::conditional_t<isAlone, double, typename Wide<W>::Double>;  ///< of all islands
     static constexpr int N = isAlone ? 1 : Wide<W>::doubles;
+    static constexpr std::size_t blockSize = use == LaneUse::Joints ? BlockNumbers::alone : BlockNumbers::beside;
+    static constexpr std::size_t nodeSize = use == LaneUse::Joints ? NodeNumbers::alone : NodeNumbers::beside;
 
     /// Numbers that lie so many doubles apart.
     template <int stride>
@@ -37,15 +65,53 @@ struct BlockFactors {
     using S = Apart<N>;
     using Item = Apart<Wide<W>::doubles>;  ///< a body's or a row's
 
+    static constexpr int rowsAlone = 12;  ///< where the rows of a block begin
+
     static constexpr D all(double value) { return D{} + value; }
 
-    static S blockOf(const IslandLanes& v, std::uint32_t i) { return {v.block + i * std::size_t{9} * N}; }
-    static S inverseOf(const IslandLanes& v, std::uint32_t i) { return {v.inverse + i * std::size_t{9} * N}; }
-    static S solutionOf(const IslandLanes& v, std::uint32_t node) {
-        return {v.solution + node * std::size_t{3} * N};
-    }
+    static S blockOf(const IslandLanes& v, std::uint32_t i) { return {v.block + i * blockSize * N}; }
+    static S inverseOf(const IslandLanes& v, std::uint32_t i) { return {v.inverse + i * blockSize * N}; }
+    static S solutionOf(const IslandLanes& v, std::uint32_t node) { return {v.solution + node * nodeSize * N}; }
     static Item bodyAt(const IslandLanes& v, std::uint32_t node) { return {v.body + v.bodyPlaces[node]}; }
     static Item rowAt(const IslandLanes& v, std::uint32_t row) { return {v.row + v.rowPlaces[row]}; }
+
+    /// Where the number in this row and column of a block is.
+    static constexpr int in(int row, int column) { return isAlone ? 4 * column + row : 3 * row + column; }
+
+    typedef double Four __attribute__((vector_size(32)));
+    template <int rows>
+    using Column = std::conditional_t<isAlone, Four, ColumnLanes<W, rows>>;
+
+    /// Numbers that follow each other, or of which only each third is taken.
+    template <int M, int each>
+    static Column<M> load(const S& from, int first) {
+        Column<M> column;
+        if constexpr (isAlone)
+            __builtin_memcpy(&column, from.data + first, sizeof column);
+        else
+            for (int i = 0; i < M; ++i) column.at[i] = from[first + each * i];
+        return column;
+    }
+    template <int M, int each>
+    static void store(const S& to, int first, const Column<M>& column) {
+        if constexpr (isAlone)
+            storeLanes(to.data + first, column);
+        else
+            for (int i = 0; i < M; ++i) to.set(first + each * i, column.at[i]);
+    }
+    template <int M>
+    static Column<M> columnOf(const S& block, int c) {
+        return load<M, 3>(block, in(0, c));
+    }
+    /// Of a block below the diagonal.
+    template <int E>
+    static Column<E> rowOf(const S& block, int r) {
+        return load<E, 1>(block, isAlone ? rowsAlone + 4 * r : 3 * r);
+    }
+
+    static void clear(const S& numbers, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) numbers.set(static_cast<int>(i), D{});
+    }
 
     /// Calls work with a size as a constant, so that loops over it are unrolled.
     template <class Work>
@@ -57,10 +123,19 @@ struct BlockFactors {
             default: return work(Size<3>{});
         }
     }
-    template <int N>
+    template <int size>
     struct Size {
-        static constexpr int value = N;
+        static constexpr int value = size;
     };
+
+    /// The same for the height of a column. If a column is a vector, it is high enough for all.
+    template <class Work>
+    [[gnu::always_inline]] static inline void ofHeight(std::uint32_t rows, Work&& work) {
+        if constexpr (isAlone)
+            work(Size<3>{});
+        else
+            sized(rows, work);
+    }
 
     static void factor(const IslandLanes& v) {
         for (std::uint32_t k = 0; k < v.stepCount; ++k) {
@@ -71,7 +146,8 @@ struct BlockFactors {
 
     /// Makes a joint of a tree softer by a share of what it gives.
     static void loosen(const IslandLanes& v, const S& block) {
-        for (int i = 0; i < 9; ++i) block.set(i, block[i] * (1 + v.slack));
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) block.set(in(i, j), block[in(i, j)] * (1 + v.slack));
     }
 
     /// Of a symmetric matrix; zero where it has none. By L D L^T: of a body that a joint has made stiff along one
@@ -81,19 +157,20 @@ struct BlockFactors {
         if constexpr (E == 1) {
             m.set(0, reciprocal(m[0]));
         } else if constexpr (E == 2) {
-            const D i0 = reciprocal(m[0]), l = m[1] * i0;
-            const D i1 = reciprocal(m[4] - l * m[1]);
+            const D i0 = reciprocal(m[0]), l = m[in(0, 1)] * i0;
+            const D i1 = reciprocal(m[in(1, 1)] - l * m[in(0, 1)]);
             m.set(0, i0 + l * l * i1);
-            m.set(1, -l * i1);
-            m.set(3, -l * i1);
-            m.set(4, i1);
+            m.set(in(0, 1), -l * i1);
+            m.set(in(1, 0), -l * i1);
+            m.set(in(1, 1), i1);
         } else {
-            const D i0 = reciprocal(m[0]), l1 = m[1] * i0, l2 = m[2] * i0;
-            const D i1 = reciprocal(m[4] - l1 * m[1]), e = m[5] - l1 * m[2], l3 = e * i1;
-            const D i2 = reciprocal(m[8] - l2 * m[2] - l3 * e), p = l1 * l3 - l2;
+            const D m1 = m[in(0, 1)], m2 = m[in(0, 2)];
+            const D i0 = reciprocal(m[0]), l1 = m1 * i0, l2 = m2 * i0;
+            const D i1 = reciprocal(m[in(1, 1)] - l1 * m1), e = m[in(1, 2)] - l1 * m2, l3 = e * i1;
+            const D i2 = reciprocal(m[in(2, 2)] - l2 * m2 - l3 * e), p = l1 * l3 - l2;
             const D xy = -l1 * i1 - p * l3 * i2, xz = p * i2, yz = -l3 * i2;
             const D inverse[9] = {i0 + l1 * l1 * i1 + p * p * i2, xy, xz, xy, i1 + l3 * l3 * i2, yz, xz, yz, i2};
-            for (int i = 0; i < 9; ++i) m.set(i, inverse[i]);
+            for (int i = 0; i < 9; ++i) m.set(in(i / 3, i % 3), inverse[i]);
         }
     }
     static D reciprocal(D v) {
@@ -105,94 +182,90 @@ struct BlockFactors {
     static void eliminate(const IslandLanes& v, std::uint32_t k) {
         const S inverse = blockOf(v, v.steps[k].node);
         invert<E>(inverse);
-        std::uint32_t last = ~std::uint32_t{0};
-        D scaled[3][3];
-        for (std::uint32_t u = v.steps[k].firstUpdate; u < v.steps[k + 1].firstUpdate; ++u) {
-            const IslandShape::Update& update = v.updates[u];
-            const S right = blockOf(v, update.right), target = blockOf(v, update.target);
-            sized(update.leftSize, [&](auto rows) {
+        for (std::uint32_t u = v.steps[k].firstUpdate; u < v.steps[k + 1].firstUpdate;) {
+            const std::uint32_t left = v.updates[u].left;
+            ofHeight(v.updates[u].leftSize, [&](auto rows) {
                 constexpr int m = decltype(rows)::value;
-                if (update.left != last) scale<E, m>(blockOf(v, update.left), inverse, scaled);
-                sized(update.rightSize,
-                      [&](auto columns) { subtract<E, m, decltype(columns)::value>(target, scaled, right); });
+                Column<m> scaled[std::size_t{E}];
+                scale<E, m>(blockOf(v, left), inverse, scaled);
+                for (; u < v.steps[k + 1].firstUpdate && v.updates[u].left == left; ++u)
+                    sized(v.updates[u].rightSize, [&](auto columns) {
+                        subtract<E, m, decltype(columns)::value>(blockOf(v, v.updates[u].target), scaled,
+                                                                 blockOf(v, v.updates[u].right));
+                    });
             });
-            last = update.left;
         }
+        for (std::uint32_t l = v.steps[k].firstLower; l < v.steps[k + 1].firstLower; ++l)
+            ofHeight(v.lowers[l].size,
+                     [&](auto rows) { keep<E, decltype(rows)::value>(blockOf(v, v.lowers[l].block), inverse); });
     }
     /// scaled = left times inverse.
     template <int E, int M>
-    static void scale(const S& left, const S& inverse, D (&scaled)[3][3]) {
-        for (int i = 0; i < M; ++i) {
-            for (int j = 0; j < E; ++j) {
-                D sum = left[3 * i] * inverse[j];
-                for (int c = 1; c < E; ++c) sum += left[3 * i + c] * inverse[3 * c + j];
-                scaled[i][j] = sum;
-            }
+    static void scale(const S& left, const S& inverse, Column<M> (&scaled)[std::size_t{E}]) {
+        for (int j = 0; j < E; ++j) {
+            scaled[j] = columnOf<M>(left, 0) * inverse[in(0, j)];
+            for (int c = 1; c < E; ++c) scaled[j] = scaled[j] + columnOf<M>(left, c) * inverse[in(c, j)];
         }
     }
     /// target -= scaled times right^T.
-    template <int E, int M, int N>
-    static void subtract(const S& target, const D (&scaled)[3][3], const S& right) {
-        for (int j = 0; j < N; ++j) {
-            for (int i = 0; i < M; ++i) {
-                D sum = scaled[i][0] * right[3 * j];
-                for (int c = 1; c < E; ++c) sum += scaled[i][c] * right[3 * j + c];
-                target.set(3 * i + j, target[3 * i + j] - sum);
-            }
+    template <int E, int M, int columns>
+    static void subtract(const S& target, const Column<M> (&scaled)[std::size_t{E}], const S& right) {
+        for (int j = 0; j < columns; ++j) {
+            Column<M> sum = scaled[0] * right[in(j, 0)];
+            for (int c = 1; c < E; ++c) sum = sum + scaled[c] * right[in(j, c)];
+            store<M, 3>(target, in(0, j), columnOf<M>(target, j) - sum);
+        }
+    }
+    /// A_ik becomes L_ik.
+    template <int E, int M>
+    static void keep(const S& block, const S& inverse) {
+        Column<M> scaled[std::size_t{E}];
+        scale<E, M>(block, inverse, scaled);
+        for (int c = 0; c < E; ++c) {
+            store<M, 3>(block, in(0, c), scaled[c]);
+            if constexpr (isAlone)
+                for (int r = 0; r < M; ++r) block.set(rowsAlone + 4 * r + c, scaled[c][r]);
         }
     }
 
     static void substitute(const IslandLanes& v) {
-        for (std::uint32_t k = 0; k < v.stepCount; ++k) forward(v, k);
-        for (std::uint32_t k = v.stepCount; k-- > 0;) backward(v, k);
+        for (std::uint32_t k = 0; k < v.stepCount; ++k)
+            sized(v.steps[k].size, [&](auto size) { forward<decltype(size)::value>(v, k); });
+        for (std::uint32_t k = v.stepCount; k-- > 0;)
+            sized(v.steps[k].size, [&](auto size) { backward<decltype(size)::value>(v, k); });
     }
-
+    /// Block times x.
+    template <int E, int M>
+    static Column<M> times(const S& block, const D (&x)[std::size_t{E}]) {
+        Column<M> sum = columnOf<M>(block, 0) * x[0];
+        for (int c = 1; c < E; ++c) sum = sum + columnOf<M>(block, c) * x[c];
+        return sum;
+    }
+    template <int E>
     static void forward(const IslandLanes& v, std::uint32_t k) {
-        sized(v.steps[k].size, [&](auto size) { forwardSized<decltype(size)::value>(v, k); });
-    }
-    template <int E>
-    static void forwardSized(const IslandLanes& v, std::uint32_t k) {
-        const IslandShape::Step& step = v.steps[k];
-        const S inverse = blockOf(v, step.node), x = solutionOf(v, step.node);
-        D scaled[3];
-        for (int i = 0; i < E; ++i) {
-            scaled[i] = inverse[3 * i] * x[0];
-            for (int c = 1; c < E; ++c) scaled[i] += inverse[3 * i + c] * x[c];
-        }
-        for (std::uint32_t l = step.firstLower; l < v.steps[k + 1].firstLower; ++l) {
+        const S at = solutionOf(v, v.steps[k].node);
+        D x[std::size_t{E}];
+        for (int c = 0; c < E; ++c) x[c] = at[c];
+        for (std::uint32_t l = v.steps[k].firstLower; l < v.steps[k + 1].firstLower; ++l) {
             const S block = blockOf(v, v.lowers[l].block), y = solutionOf(v, v.lowers[l].node);
-            sized(v.lowers[l].size, [&](auto rows) {
-                for (int i = 0; i < decltype(rows)::value; ++i) {
-                    D sum = block[3 * i] * scaled[0];
-                    for (int c = 1; c < E; ++c) sum += block[3 * i + c] * scaled[c];
-                    y.set(i, y[i] - sum);
-                }
+            ofHeight(v.lowers[l].size, [&](auto rows) {
+                constexpr int m = decltype(rows)::value;
+                store<m, 1>(y, 0, load<m, 1>(y, 0) - times<E, m>(block, x));
             });
         }
+        store<E, 1>(at, 0, times<E, E>(blockOf(v, v.steps[k].node), x));
     }
-
+    template <int E>
     static void backward(const IslandLanes& v, std::uint32_t k) {
-        sized(v.steps[k].size, [&](auto size) { backwardSized<decltype(size)::value>(v, k); });
-    }
-    /// D^-1 (b - sum D L^T x): the sum holds A_ik^T x_i as it stands.
-    template <int E>
-    static void backwardSized(const IslandLanes& v, std::uint32_t k) {
-        const IslandShape::Step& step = v.steps[k];
-        const S inverse = blockOf(v, step.node), x = solutionOf(v, step.node);
-        D right[3];
-        for (int c = 0; c < E; ++c) right[c] = x[c];
-        for (std::uint32_t l = step.firstLower; l < v.steps[k + 1].firstLower; ++l) {
+        const S at = solutionOf(v, v.steps[k].node);
+        Column<E> x = load<E, 1>(at, 0);
+        for (std::uint32_t l = v.steps[k].firstLower; l < v.steps[k + 1].firstLower; ++l) {
             const S block = blockOf(v, v.lowers[l].block), y = solutionOf(v, v.lowers[l].node);
             sized(v.lowers[l].size, [&](auto rows) {
-                for (int i = 0; i < decltype(rows)::value; ++i)
-                    for (int c = 0; c < E; ++c) right[c] -= block[3 * i + c] * y[i];
+                for (int r = 0; r < decltype(rows)::value; ++r) x = x - rowOf<E>(block, r) * y[r];
             });
         }
-        for (int i = 0; i < E; ++i) {
-            D sum = inverse[3 * i] * right[0];
-            for (int c = 1; c < E; ++c) sum += inverse[3 * i + c] * right[c];
-            x.set(i, sum);
-        }
+        store<E, 1>(at, 0, x);
     }
 };
 

@@ -80,16 +80,48 @@ struct Elimination : IslandItems<W, use> {
     /// For U, from the velocities that it holds. Rows give their known impulses in addition.
     static void solve(IslandLanes& v) {
         makeFactors(v);
-        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
-            const S row = rowOf(v, i);
+        const std::uint32_t cleared = Factors::isAlone ? v.moved + v.laidCount : v.moved;
+        for (std::uint32_t n = 0; n < cleared; ++n) Factors::clear(Factors::solutionOf(v, n), Factors::nodeSize);
+        forEachRow(v, [&v](const S& row, std::uint32_t i, std::uint32_t joint, int r) {
             const D lacks = speedOf(v, i, B::Ux, B::Uspin) - row[R::Speed];
-            row.set(R::Lacks, row[R::Compliance] < D{} ? D{} : lacks);
+            setSolved(v, joint, r, row[R::Compliance] < D{} ? D{} : lacks);
+        });
+        Factors::substitute(v);
+        for (std::uint32_t n = 0; n < v.moved; ++n) {
+            const auto b = Factors::bodyAt(v, n);
+            const Block x = Factors::solutionOf(v, n);
+            for (int c = 0; c < 3; ++c) b.set(B::Ux + c, b[B::Ux + c] + x[c]);
         }
-        substitute(v);
         const auto active = Items::isActive(v);
-        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
-            const S row = rowOf(v, i);
-            row.set(R::Impulse, active ? row[R::Known] + row[R::Gives] : row[R::Impulse]);
+        forEachRow(v, [&](const S& row, std::uint32_t, std::uint32_t joint, int r) {
+            row.set(R::Impulse, active ? row[R::Known] + solved(v, joint, r) : row[R::Impulse]);
+        });
+    }
+
+    /// Calls work(row, its number, that of its joint, its number in the joint).
+    template <class Work>
+    [[gnu::always_inline]] static inline void forEachRow(const IslandLanes& v, Work&& work) {
+        for (std::uint32_t j = 0; j < v.jointCount; ++j)
+            for (std::uint32_t first = v.joints[j].firstRow, i = first; i < v.joints[j + 1].firstRow; ++i)
+                work(rowOf(v, i), i, j, static_cast<int>(i - first));
+    }
+    static Block solvedOf(const IslandLanes& v, std::uint32_t joint, std::size_t lane) {
+        return {v.solution + v.solvedPlaces[joint * Items::bodiesAnEnd + lane]};
+    }
+    /// A joint's part of the solution. Lanes that repeat a joint come first, so that its own lane has the last word.
+    static void setSolved(const IslandLanes& v, std::uint32_t joint, int r, D value) {
+        if constexpr (Items::holdsJoints)
+            for (std::size_t l = Items::bodiesAnEnd; l-- > 0;) solvedOf(v, joint, l).set(r, value[l]);
+        else
+            Factors::solutionOf(v, v.moved + joint).set(r, value);
+    }
+    static D solved(const IslandLanes& v, std::uint32_t joint, int r) {
+        if constexpr (Items::holdsJoints) {
+            D value;
+            for (std::size_t l = 0; l < Items::bodiesAnEnd; ++l) value[l] = solvedOf(v, joint, l)[r];
+            return value;
+        } else {
+            return Factors::solutionOf(v, v.moved + joint)[r];
         }
     }
 
@@ -100,73 +132,67 @@ struct Elimination : IslandItems<W, use> {
         v.factored = true;
     }
 
-    /// Changes U, so that rows change their speeds by what they lack, and finds what they give for that.
-    static void substitute(const IslandLanes& v) {
-        for (std::uint32_t n = 0; n < v.moved; ++n)
-            for (int c = 0; c < 3; ++c) Factors::solutionOf(v, n).set(c, Number{});
-        forEachRow(v, [&](std::uint32_t i, const Block& x, int r) { x.set(r, Factors::rowAt(v, i)[R::Lacks]); });
-        Factors::substitute(v);
-        for (std::uint32_t n = 0; n < v.moved; ++n) {
-            const auto b = Factors::bodyAt(v, n);
-            const Block x = Factors::solutionOf(v, n);
-            for (int c = 0; c < 3; ++c) b.set(B::Ux + c, b[B::Ux + c] + x[c]);
-        }
-        forEachRow(v, [&](std::uint32_t i, const Block& x, int r) { Factors::rowAt(v, i).set(R::Gives, x[r]); });
-    }
-
-    /// Calls work(row, solution of its joint, number of the row in the joint).
-    template <class Work>
-    [[gnu::always_inline]] static inline void forEachRow(const IslandLanes& v, Work&& work) {
-        for (std::uint32_t j = 0; j < v.laidCount; ++j) {
-            const std::uint32_t first = v.laid[j].firstRow;
-            for (std::uint32_t i = first; i < v.laid[j + 1].firstRow; ++i)
-                work(i, Factors::solutionOf(v, v.moved + j), static_cast<int>(i - first));
-        }
-    }
-
     static void fill(const IslandLanes& v) {
-        for (std::uint32_t i = v.firstFill; i < v.blocks; ++i)
-            for (int c = 0; c < 9; ++c) Factors::blockOf(v, i).set(c, Number{});
-        for (std::uint32_t i = 0; i < v.moved; ++i) {
-            const Block m = Factors::blockOf(v, i);
-            const auto b = Factors::bodyAt(v, i);
-            for (int c = 0; c < 9; ++c) m.set(c, Number{});
-            const Number mass = b[B::Mass], inertia = b[B::Inertia];
+        const auto clear = [&v](std::uint32_t first, std::uint32_t end) {
+            for (std::uint32_t i = first; i < end; ++i) Factors::clear(Factors::blockOf(v, i), Factors::isAlone ? 12 : 9);
+        };
+        clear(0, v.moved + v.laidCount);
+        clear(v.firstFill, v.blocks);
+        for (std::uint32_t n = 0; n < v.moved; ++n) {
+            const Block m = Factors::blockOf(v, n);
+            const Number mass = Factors::bodyAt(v, n)[B::Mass], inertia = Factors::bodyAt(v, n)[B::Inertia];
             m.set(0, mass);
-            m.set(4, mass);
-            m.set(8, inertia > Number{} ? inertia : Factors::all(1));
+            m.set(Factors::in(1, 1), mass);
+            m.set(Factors::in(2, 2), inertia > Number{} ? inertia : Factors::all(1));
         }
-        for (std::uint32_t j = 0; j < v.laidCount; ++j) fillJoint(v, j);
+        forEachRow(v, [&v](const S& row, std::uint32_t i, std::uint32_t joint, int r) {
+            const D compliance = row[R::Compliance];
+            const auto isSolved = compliance >= D{};
+            setDiagonal(v, joint, r, isSolved ? -compliance : all(-1));
+            for (std::uint32_t part = 0; part < v.rows[i].parts; ++part) {
+                const std::uint32_t link = v.rows[i].link + part;
+                const int axis = part == 0 ? R::AxisX : R::SecondAxisX;
+                const D x = isSolved ? row[axis] : D{}, y = isSolved ? row[axis + 1] : D{};
+                const D turnA = isSolved ? row[axis + 2] : D{}, turnB = isSolved ? row[axis + 3] : D{};
+                setEnd(v, link, false, r, {x, y, -turned(endOf(v, link, false), turnA)});
+                setEnd(v, link, true, r, {-x, -y, -turned(endOf(v, link, true), turnB)});
+            }
+        });
+    }
+    template <class Body>
+    static D turned(const Body& b, D lever) {
+        return b[B::Inertia] > D{} ? lever : D{};
     }
 
-    static void fillJoint(const IslandLanes& v, std::uint32_t j) {
-        const std::uint32_t first = v.laid[j].firstRow;
-        const int rows = static_cast<int>(v.laid[j + 1].firstRow - first);
-        const Block diagonal = Factors::blockOf(v, v.moved + j);
-        for (int r = 0; r < rows; ++r) {
-            const Number compliance = Factors::rowAt(v, first + static_cast<std::uint32_t>(r))[R::Compliance];
-            for (int c = 0; c < rows; ++c) diagonal.set(3 * r + c, Number{});
-            diagonal.set(4 * r, compliance < Number{} ? Factors::all(-1) : -compliance);
-        }
-        for (std::uint32_t e = v.laid[j].firstEnd; e < v.laid[j + 1].firstEnd; ++e)
-            for (int r = 0; r < rows; ++r) fillEnd(v, v.ends[e], first + static_cast<std::uint32_t>(r), r);
+    static void setDiagonal(const IslandLanes& v, std::uint32_t joint, int r, D value) {
+        constexpr std::size_t blocksANode = BlockNumbers::alone / NodeNumbers::alone;
+        if constexpr (Items::holdsJoints)
+            for (std::size_t l = Items::bodiesAnEnd; l-- > 0;)
+                Block{v.block + v.solvedPlaces[joint * Items::bodiesAnEnd + l] * blocksANode}.set(Factors::in(r, r),
+                                                                                                value[l]);
+        else
+            Factors::blockOf(v, v.moved + joint).set(Factors::in(r, r), value);
     }
-
-    /// Of a unit impulse of the row, as it acts on the end.
-    static void fillEnd(const IslandLanes& v, const IslandShape::End& end, std::uint32_t i, int r) {
-        const Block block = Factors::blockOf(v, end.block);
-        const auto row = Factors::rowAt(v, i);
-        const auto solved = row[R::Compliance] >= Number{};
-        const auto turns = Factors::bodyAt(v, end.node)[B::Inertia] > Number{};
-        const int axis = end.part == 0 ? R::AxisX : R::SecondAxisX;
-        const double sign = end.isB ? 1 : -1;
-        const Number lever = row[end.isB ? axis + 3 : axis + 2];
-        const Number at[3] = {row[axis] * sign, row[axis + 1] * sign, turns ? lever : Number{}};
-        for (int c = 0; c < 3; ++c) {
-            const int place = end.transposed ? 3 * c + r : 3 * r + c;
-            const Number value = solved ? -at[c] : Number{};
-            block.set(place, end.isFirst ? value : block[place] + value);
+    /// What a row does to the body at an end, as a column or a row of their block.
+    struct AtEnd {
+        D along[3];
+    };
+    static void setEnd(const IslandLanes& v, std::uint32_t link, bool isB, int r, const AtEnd& at) {
+        const IslandShape::BlockPlace* places = v.blockPlaces + (2 * link + (isB ? 1 : 0)) * Items::bodiesAnEnd;
+        for (std::size_t l = 0; l < Items::bodiesAnEnd; ++l) {
+            const IslandShape::BlockPlace& place = places[l];
+            for (int c = 0; c < 3; ++c) {
+                const Block to{v.block + (place.first + static_cast<std::uint32_t>(r) * place.row + static_cast<std::uint32_t>(c) * place.column) * std::size_t{Factors::N}};
+                const Number value = laneOf(at.along[c], l);
+                to.set(0, place.isFirst ? value : to[0] + value);
+            }
         }
+    }
+    static Number laneOf(const D& value, [[maybe_unused]] std::size_t lane) {
+        if constexpr (Items::holdsJoints)
+            return value[lane];
+        else
+            return value;
     }
 };
 

@@ -108,8 +108,6 @@ struct RowField {
         Compliance,   ///< -1: the row is not solved for, and gives Known
         Known,        ///< [N s or N m s]
         Impulse,      ///< of this pass
-        Lacks,
-        Gives,  ///< in a solution: what its speed has too much, and the impulse for that
         Origin,
         StartError,  ///< at the step's start
         // Only of rows that do not hold:
@@ -164,6 +162,15 @@ enum class LaneUse {
     Joints    ///< all lanes have joints, and bodies, of one island
 };
 
+/// How many numbers a block and a node's part of the solution have: of islands side by side, and of one alone, whose
+/// columns and rows of three are filled up to four.
+struct BlockNumbers {
+    static constexpr std::size_t beside = 9, alone = 24;
+};
+struct NodeNumbers {
+    static constexpr std::size_t beside = 3, alone = 4;
+};
+
 /// What the code for W lanes sees of W islands, or of one.
 struct IslandLanes {
     // The items: what lies in the same lanes counts as one.
@@ -179,7 +186,8 @@ struct IslandLanes {
     const IslandShape::Joint* laid = nullptr;    ///< and one past the end
     const std::uint32_t* bodyPlaces = nullptr;   ///< where it begins
     const std::uint32_t* rowPlaces = nullptr;
-    const IslandShape::End* ends = nullptr;
+    const std::uint32_t* solvedPlaces = nullptr;  ///< of the joints of each item: where its part of the solution begins
+    const IslandShape::BlockPlace* blockPlaces = nullptr;  ///< of both ends of each link
     const IslandShape::Step* steps = nullptr;
     const IslandShape::Lower* lowers = nullptr;
     const IslandShape::Update* updates = nullptr;
@@ -190,9 +198,9 @@ struct IslandLanes {
     double* link = nullptr;
     double* row = nullptr;
     double* joint = nullptr;
-    double* block = nullptr;     ///< 9 fields each
-    double* solution = nullptr;  ///< of the nodes, 3 fields each
-    double* inverse = nullptr;   ///< of the matrix, where it has blocks; 9 fields each
+    double* block = nullptr;
+    double* solution = nullptr;  ///< of the nodes
+    double* inverse = nullptr;   ///< of the matrix, where it has blocks
     double* active = nullptr;    ///< 1: the lane takes part in this pass
     double* missed = nullptr;    ///< how far the last prediction was off (see WidePlaces::keepMissed)
     double* lost = nullptr;      ///< 1: predictions have not come closer

@@ -54,11 +54,12 @@ public:
         for (const LaidJoint& joint : joints) addJoint(joint);
         layout_.joints.push_back({linkCount(), rowCount(), endCount()});
         const std::uint32_t nodes = layout_.moved + layout_.jointCount();
-        const auto plan =
-            planBlocks(layout_.moved, layout_.jointCount(), edges_, std::max(fewUpdates, updatesPerNode * nodes));
+        const bool hasNoLoops = isTree(layout_.moved, joints);
+        const auto plan = planBlocks(layout_.moved, layout_.jointCount(), edges_,
+                                     std::max(fewUpdates, updatesPerNode * nodes), !hasNoLoops);
         if (plan == nullptr) return swept();
         takePlan(*plan);
-        layout_.isTree = allTurn && isTree(layout_.moved, joints);
+        layout_.isTree = allTurn && hasNoLoops;
         return std::make_shared<const IslandLayout>(std::move(layout_));
     }
 

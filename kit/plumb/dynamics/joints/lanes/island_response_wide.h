@@ -25,8 +25,7 @@ struct Response {
 
     static void find(IslandLanes& v) {
         Elimination<W, use>::makeFactors(v);
-        for (std::uint32_t i = 0; i < v.blocks; ++i)
-            for (int c = 0; c < 9; ++c) inverseOf(v, i).set(c, D{});
+        for (std::uint32_t i = 0; i < v.blocks; ++i) Factors::clear(inverseOf(v, i), Factors::isAlone ? 12 : 9);
         for (std::uint32_t k = v.stepCount; k-- > 0;) invert(v, k);
         for (std::uint32_t i = 0; i < v.moved; ++i) bound(Factors::bodyAt(v, i), inverseOf(v, i));
     }
@@ -37,52 +36,33 @@ struct Response {
         for (std::uint32_t u = v.steps[k].firstUpdate; u < v.steps[k + 1].firstUpdate; ++u) {
             const IslandShape::Update& update = v.updates[u];
             const S known = inverseOf(v, update.target);
-            addProduct<false>(inverseOf(v, update.left), known, blockOf(v, update.right), inverse);
+            subtractProduct<false>(inverseOf(v, update.left), known, blockOf(v, update.right));
             if (update.left != update.right)
-                addProduct<true>(inverseOf(v, update.right), known, blockOf(v, update.left), inverse);
+                subtractProduct<true>(inverseOf(v, update.right), known, blockOf(v, update.left));
         }
-        for (int c = 0; c < 9; ++c) own.set(c, inverse[c]);
+        for (int c = 0; c < (Factors::isAlone ? 12 : 9); ++c) own.set(c, inverse[c]);
         for (std::uint32_t l = v.steps[k].firstLower; l < v.steps[k + 1].firstLower; ++l)
-            subtractSolved(own, inverse, blockOf(v, v.lowers[l].block), inverseOf(v, v.lowers[l].block));
+            subtractProduct<true>(own, blockOf(v, v.lowers[l].block), inverseOf(v, v.lowers[l].block));
     }
 
-    /// to -= known L, with L = block inverse.
+    /// to -= left right, or left^T right.
     template <bool transposed>
-    static void addProduct(const S& to, const S& known, const S& block, const S& inverse) {
-        D l[9];
-        multiply(l, block, inverse);
+    static void subtractProduct(const S& to, const S& left, const S& right) {
+        constexpr auto in = [](int i, int j) { return Factors::in(i, j); };
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
-                D sum = to[3 * i + j];
-                for (int c = 0; c < 3; ++c) sum -= known[transposed ? 3 * c + i : 3 * i + c] * l[3 * c + j];
-                to.set(3 * i + j, sum);
-            }
-    }
-    /// own -= L^T solved.
-    static void subtractSolved(const S& own, const S& inverse, const S& block, const S& solved) {
-        D l[9];
-        multiply(l, block, inverse);
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) {
-                D sum = own[3 * i + j];
-                for (int c = 0; c < 3; ++c) sum -= l[3 * c + i] * solved[3 * c + j];
-                own.set(3 * i + j, sum);
-            }
-    }
-    static void multiply(D (&l)[9], const S& block, const S& inverse) {
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) {
-                D sum = block[3 * i] * inverse[j];
-                for (int c = 1; c < 3; ++c) sum += block[3 * i + c] * inverse[3 * c + j];
-                l[3 * i + j] = sum;
+                D sum = to[in(i, j)];
+                for (int c = 0; c < 3; ++c) sum -= left[transposed ? in(c, i) : in(i, c)] * right[in(c, j)];
+                to.set(in(i, j), sum);
             }
     }
 
     static void bound(const typename Factors::Item& b, const S& k) {
-        const D half = 0.5 * (k[0] - k[4]);
-        const D a = atLeast0(0.5 * (k[0] + k[4]) + rootOf(half * half + k[1] * k[1])), c = atLeast0(k[8]);
+        const D xx = k[0], yy = k[Factors::in(1, 1)], half = 0.5 * (xx - yy), xy = k[Factors::in(0, 1)];
+        const D xw = k[Factors::in(0, 2)], yw = k[Factors::in(1, 2)], ww = k[Factors::in(2, 2)];
+        const D a = atLeast0(0.5 * (xx + yy) + rootOf(half * half + xy * xy)), c = atLeast0(ww);
         const auto both = a * c > D{};
-        const D cross = both ? rootOf((k[2] * k[2] + k[5] * k[5]) / (both ? a * c : Factors::all(1))) : D{};
+        const D cross = both ? rootOf((xw * xw + yw * yw) / (both ? a * c : Factors::all(1))) : D{};
         b.set(B::Response, a * (1.0 + cross));
         b.set(B::TurnResponse, c * (1.0 + cross));
     }

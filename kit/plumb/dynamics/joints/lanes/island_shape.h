@@ -38,6 +38,13 @@ struct IslandShape {
         bool isB = false, transposed = false;
         bool isFirst = true;  ///< no other end of the joint before it has the same block
     };
+    /// Where a row of a joint, at one end of a link, stands in a block: so far apart are its numbers, and those of the
+    /// joint's rows.
+    struct BlockPlace {
+        std::uint32_t first = 0;
+        std::uint16_t column = 0, row = 0;
+        bool isFirst = true;  ///< see End
+    };
     struct Joint {
         std::uint32_t firstLink = 0, firstRow = 0, firstEnd = 0;
         bool turnsOnly = false;   ///< see JointForm

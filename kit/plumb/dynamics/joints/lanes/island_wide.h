@@ -231,7 +231,7 @@ struct WideIslands : IslandItems<W, use> {
         D back{};
         for (std::uint32_t i = 0; i < v.rowCount && v.someFree; ++i)
             if (!v.rows[i].holds) back = larger(back, magnitude(rowOf(v, i)[R::Back]));
-        back = active ? back : D{};
+        back = active ? Items::largestOfIsland(back) : D{};
         if (!anyOf<W>(back > D{})) return;
         for (std::uint32_t i = 0; i < v.rowCount; ++i)
             if (!v.rows[i].holds) addStopPush(v, rowOf(v, i), i, back);
