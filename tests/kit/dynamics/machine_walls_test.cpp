@@ -74,9 +74,9 @@ Ending endingOf(unsigned seed, double most) {
 
 }  // namespace
 
-TEST_CASE("rods and ropes do not pull fast bodies through the segments of 60 rooms", "[dynamics][joints][machines]") {
+TEST_CASE("rods and ropes do not pull fast bodies through the segments of 180 rooms", "[dynamics][joints][machines]") {
     int slowEscapes = 0, escapes = 0, slowRunaways = 0;
-    const int runs = allCases(60);
+    const int runs = allCases(180);
     for (int run = 0; run < runs; ++run) {
         const double most = run % 2 == 0 ? 200 : 2000;
         const Ending ending = endingOf(static_cast<unsigned>(run), most);
@@ -86,7 +86,7 @@ TEST_CASE("rods and ropes do not pull fast bodies through the segments of 60 roo
     }
     INFO(escapes << " of " << 12 * runs << " bodies");
     CHECK(slowEscapes == 0);
-    // At 2,000 m/s rods squeeze bodies into each other with meganewtons: of 3,600 bodies 10 are pressed out.
-    CHECK(escapes <= 2);
+    // At 2,000 m/s rods squeeze bodies into each other with meganewtons: of 7,200 bodies 12 to 19 are pressed out.
+    CHECK(escapes <= 6);
     CHECK(slowRunaways == 0);
 }

@@ -33,7 +33,6 @@ extern template struct WideIslandKernel<8, LaneUse::Islands>;
 extern template struct WideIslandKernel<16, LaneUse::Islands>;
 extern template struct WideIslandKernel<4, LaneUse::Joints>;
 extern template struct WideIslandKernel<8, LaneUse::Joints>;
-extern template struct WideIslandKernel<16, LaneUse::Joints>;
 #endif
 
 namespace {
@@ -65,15 +64,16 @@ int islandLanes(int lanes) {
 
 IslandCode islandCode(int islands, int lanes) {
     const auto alone = []<int W>() -> IslandCode {
+        constexpr int floats = std::min(W, 8);  // wider ones would be half empty in most machines
         if constexpr (W == 1)
             return {&WideIslandKernel<1, LaneUse::Islands>::code};
         else
-            return {&WideIslandKernel<W, LaneUse::Joints>::code, LaneUse::Joints, std::size_t{W / 2}};
+            return {&WideIslandKernel<floats, LaneUse::Joints>::code, LaneUse::Joints, std::size_t{floats / 2}};
     };
     const auto together = [islands]<int W>() -> IslandCode {
         return {&WideIslandKernel<W, LaneUse::Islands>::code, LaneUse::Islands, static_cast<std::size_t>(islands)};
     };
-    return islands == 1 ? forLanes(std::min(lanes, 8), alone) : forLanes(2 * islands, together);
+    return islands == 1 ? forLanes(lanes, alone) : forLanes(2 * islands, together);
 }
 
 const BodySolver& bodySolver(int lanes) {

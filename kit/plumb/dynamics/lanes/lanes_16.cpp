@@ -7,5 +7,4 @@ template struct plumb::WideLaneCollider<16>;
 template struct plumb::WideSweptKernel<16>;
 template struct plumb::WideBodySolver<16>;
 template struct plumb::WideIslandKernel<16, plumb::LaneUse::Islands>;
-template struct plumb::WideIslandKernel<16, plumb::LaneUse::Joints>;
 #endif

@@ -13,26 +13,24 @@
 
 namespace plumb {
 
-/// Rows of W islands' columns.
-template <int W, int rows>
-struct ColumnLanes {
-    using D = typename Wide<W>::Double;
-    static constexpr std::size_t count = rows;
-    D at[count];
+/// A column of a block, in some parts.
+template <class Part, class Factor, std::size_t parts>
+struct ColumnParts {
+    Part at[parts];
 
-    ColumnLanes operator*(const D& factor) const {
-        ColumnLanes result;
-        for (int i = 0; i < rows; ++i) result.at[i] = at[i] * factor;
+    ColumnParts operator*(const Factor& factor) const {
+        ColumnParts result;
+        for (std::size_t i = 0; i < parts; ++i) result.at[i] = at[i] * factor;
         return result;
     }
-    ColumnLanes operator+(const ColumnLanes& other) const {
-        ColumnLanes result;
-        for (int i = 0; i < rows; ++i) result.at[i] = at[i] + other.at[i];
+    ColumnParts operator+(const ColumnParts& other) const {
+        ColumnParts result;
+        for (std::size_t i = 0; i < parts; ++i) result.at[i] = at[i] + other.at[i];
         return result;
     }
-    ColumnLanes operator-(const ColumnLanes& other) const {
-        ColumnLanes result;
-        for (int i = 0; i < rows; ++i) result.at[i] = at[i] - other.at[i];
+    ColumnParts operator-(const ColumnParts& other) const {
+        ColumnParts result;
+        for (std::size_t i = 0; i < parts; ++i) result.at[i] = at[i] - other.at[i];
         return result;
     }
 };
@@ -78,16 +76,18 @@ struct BlockFactors {
     /// Where the number in this row and column of a block is.
     static constexpr int in(int row, int column) { return isAlone ? 4 * column + row : 3 * row + column; }
 
-    typedef double Four __attribute__((vector_size(32)));
+    using Vector = typename Wide<W>::Double;
     template <int rows>
-    using Column = std::conditional_t<isAlone, Four, ColumnLanes<W, rows>>;
+    using Column = std::conditional_t<isAlone, ColumnParts<Vector, double, std::size_t{4 / Wide<W>::doubles}>,
+                                      ColumnParts<Vector, Vector, std::size_t{rows}>>;
 
     /// Numbers that follow each other, or of which only each third is taken.
     template <int M, int each>
     static Column<M> load(const S& from, int first) {
         Column<M> column;
         if constexpr (isAlone)
-            __builtin_memcpy(&column, from.data + first, sizeof column);
+            for (int i = 0; i < 4; i += Wide<W>::doubles)
+                column.at[i / Wide<W>::doubles] = loadLanes<W>(static_cast<const double*>(from.data + first + i));
         else
             for (int i = 0; i < M; ++i) column.at[i] = from[first + each * i];
         return column;
@@ -95,7 +95,8 @@ struct BlockFactors {
     template <int M, int each>
     static void store(const S& to, int first, const Column<M>& column) {
         if constexpr (isAlone)
-            storeLanes(to.data + first, column);
+            for (int i = 0; i < 4; i += Wide<W>::doubles)
+                storeLanes(to.data + first + i, column.at[i / Wide<W>::doubles]);
         else
             for (int i = 0; i < M; ++i) to.set(first + each * i, column.at[i]);
     }
@@ -182,16 +183,17 @@ struct BlockFactors {
     static void eliminate(const IslandLanes& v, std::uint32_t k) {
         const S inverse = blockOf(v, v.steps[k].node);
         invert<E>(inverse);
-        for (std::uint32_t u = v.steps[k].firstUpdate; u < v.steps[k + 1].firstUpdate;) {
-            const std::uint32_t left = v.updates[u].left;
+        const std::uint32_t end = v.steps[k + 1].firstUpdate;
+        for (std::uint32_t u = v.steps[k].firstUpdate, next = u; u < end; u = next) {
+            while (next < end && v.updates[next].left == v.updates[u].left) ++next;
             ofHeight(v.updates[u].leftSize, [&](auto rows) {
                 constexpr int m = decltype(rows)::value;
                 Column<m> scaled[std::size_t{E}];
-                scale<E, m>(blockOf(v, left), inverse, scaled);
-                for (; u < v.steps[k + 1].firstUpdate && v.updates[u].left == left; ++u)
-                    sized(v.updates[u].rightSize, [&](auto columns) {
-                        subtract<E, m, decltype(columns)::value>(blockOf(v, v.updates[u].target), scaled,
-                                                                 blockOf(v, v.updates[u].right));
+                scale<E, m>(blockOf(v, v.updates[u].left), inverse, scaled);
+                for (std::uint32_t i = u; i < next; ++i)
+                    sized(v.updates[i].rightSize, [&](auto columns) {
+                        subtract<E, m, decltype(columns)::value>(blockOf(v, v.updates[i].target), scaled,
+                                                                 blockOf(v, v.updates[i].right));
                     });
             });
         }
@@ -224,7 +226,7 @@ struct BlockFactors {
         for (int c = 0; c < E; ++c) {
             store<M, 3>(block, in(0, c), scaled[c]);
             if constexpr (isAlone)
-                for (int r = 0; r < M; ++r) block.set(rowsAlone + 4 * r + c, scaled[c][r]);
+                for (int r = 0; r < M; ++r) block.set(rowsAlone + 4 * r + c, block[in(r, c)]);
         }
     }
 

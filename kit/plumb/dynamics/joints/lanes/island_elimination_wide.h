@@ -117,7 +117,7 @@ struct Elimination : IslandItems<W, use> {
     }
     static D solved(const IslandLanes& v, std::uint32_t joint, int r) {
         if constexpr (Items::holdsJoints) {
-            D value;
+            D value{};
             for (std::size_t l = 0; l < Items::bodiesAnEnd; ++l) value[l] = solvedOf(v, joint, l)[r];
             return value;
         } else {

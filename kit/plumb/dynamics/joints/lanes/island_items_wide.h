@@ -49,7 +49,7 @@ struct IslandItems {
         const double* data[bodiesAnEnd];
         D operator[](int field) const {
             if constexpr (holdsJoints) {
-                D lanes;
+                D lanes{};
                 for (std::size_t l = 0; l < bodiesAnEnd; ++l) lanes[l] = data[l][field * N];
                 return lanes;
             } else {
@@ -84,7 +84,7 @@ struct IslandItems {
     static D movesAt(const IslandLanes& v, std::uint32_t link, bool isB) {
         const std::uint32_t* places = placesOf(v, link, isB);
         if constexpr (holdsJoints) {
-            D moves;
+            D moves{};
             for (int l = 0; l < N; ++l) moves[l] = places[l] < v.movedEnd ? 1 : 0;
             return moves;
         } else {
