@@ -107,9 +107,8 @@ public:
     }
     bool hasBitsOf(KernelNumbers& single, std::size_t lane) {
         bool same = true;
-        forEachNumber(single, lane, [&](double& own, double& other) {
-            same = same && std::memcmp(&own, &other, sizeof own) == 0;
-        });
+        forEachNumber(single, lane,
+                      [&](double& own, double& other) { same = same && std::memcmp(&own, &other, sizeof own) == 0; });
         return same;
     }
 

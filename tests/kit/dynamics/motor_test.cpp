@@ -9,6 +9,7 @@
 #include "catch.h"
 #include "kit/usual_world.h"
 #include "numbers.h"
+using namespace plumb;
 using namespace plumb::test;
 
 namespace {

@@ -7,16 +7,19 @@
 namespace plumb {
 
 // The same as dragStep of kinematics, but fast for short steps: every damped body needs it in every step, so the series
-// has no division by a variable.
+// has no division by a variable, and no exponential.
 Decay decay(double damping, double time) {
     const double x = damping * time;
     if (x < 1e-17) return {1, time, 0.5 * time * time};  // equal in double precision, and 1 / damping^2 may overflow
-    const double lost = -exponentialMinus1(-x);
     // x - lost loses digits for small x (cancellation): below 0.05 by its series, relative error 1e-17 with nine terms
-    double rest = x - lost;
+    double lost = 0, rest = 0;
     if (x < 0.05) {
         const double small = 1.0 / 720 - x * (1.0 / 5040 - x * (1.0 / 40320 - x * (1.0 / 362880 - x / 3628800)));
         rest = x * x * (0.5 - x * (1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x * small))));
+        lost = x - rest;
+    } else {
+        lost = -exponentialMinus1(-x);
+        rest = x - lost;
     }
     return {1 - lost, lost / damping, rest / (damping * damping)};
 }

@@ -297,7 +297,7 @@ void IslandSolver::respondToContacts(const HalfStep& half) {
 void IslandSolver::end(FunctionRef<void(BodyIndex, const BodyMove*)> store) {
     for (JointBatch& batch : std::span(islands_.batches).first(islands_.batchCount)) {
         batch.pull(*stores_.bodies);
-        batch.store(*stores_.joints, *stores_.bodies);
+        batch.store(*stores_.joints, *stores_.bodies, dt_);
     }
     for (const JointIsland& island : islands_.islands) {
         island.sweptJoints.addLoads(*stores_.joints);

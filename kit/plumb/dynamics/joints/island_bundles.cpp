@@ -107,13 +107,15 @@ void IslandBundles::placeEnds(const IslandLayout& layout, std::size_t first, std
                 const std::size_t joint = first + std::min(l, count - 1);
                 const IslandShape::Link& link = layout.links[layout.joints[joint].firstLink + k];
                 endPlaces.push_back(bodyPlaces[isB ? link.b : link.a]);
-                blockPlaces.push_back(l < count ? blockPlaceOf(layout, joint, k, isB, bodies > 1) : nowhere(layout, bodies > 1));
+                blockPlaces.push_back(l < count ? blockPlaceOf(layout, joint, k, isB, bodies > 1)
+                                                : nowhere(layout, bodies > 1));
             }
 }
 
 std::size_t IslandBundles::bytes() const {
-    return bytesOf(joints) + bytesOf(links) + bytesOf(rows) + bytesOf(endPlaces) + bytesOf(blockPlaces) + bytesOf(solvedPlaces) + bytesOf(bodyPlaces) +
-           bytesOf(linkPlaces) + bytesOf(rowPlaces) + bytesOf(jointPlaces);
+    return bytesOf(joints) + bytesOf(links) + bytesOf(rows) + bytesOf(endPlaces) + bytesOf(blockPlaces) +
+           bytesOf(solvedPlaces) + bytesOf(bodyPlaces) + bytesOf(linkPlaces) + bytesOf(rowPlaces) +
+           bytesOf(jointPlaces);
 }
 
 }  // namespace plumb

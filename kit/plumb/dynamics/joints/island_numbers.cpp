@@ -21,6 +21,7 @@ void showLayout(IslandLanes& view, const IslandLayout& layout, const IslandBundl
     view.jointCount = static_cast<std::uint32_t>(bundles.joints.size() - 1);
     view.movedEnd = bundles.movedEnd;
     view.laid = layout.joints.data();
+    view.laidRows = layout.rows.data();
     view.bodyPlaces = bundles.bodyPlaces.data();
     view.rowPlaces = bundles.rowPlaces.data();
     view.solvedPlaces = bundles.solvedPlaces.data();
@@ -49,6 +50,7 @@ void IslandNumbers::layOut(std::span<JointIsland* const> some, int mostFloats) {
     view.missed = missed.data();
     view.lost = lost.data();
     view.heavy = heavy.data();
+    view.work = work.data();
     view.factored = false;
     if (!isNew) return;
     layout = some.front()->layout;

@@ -22,7 +22,7 @@ struct IslandNumbers {
     IslandCode code;
     IslandBundles bundles;
     IslandLanes view;
-    LaneFlags active{}, missed{}, lost{}, heavy{};  ///< see IslandLanes
+    LaneFlags active{}, missed{}, lost{}, heavy{}, work{};  ///< see IslandLanes
 
     /// Makes room for these islands, which have one layout, in vectors of at most so many floats.
     void layOut(std::span<JointIsland* const> some, int mostFloats);

@@ -105,7 +105,7 @@ void loadJoint(const IslandNumbers& numbers, const JointForm& form, const JointR
 void storeBody(const IslandNumbers& numbers, BodyRecord& record, JointIsland::Stiffness& stiffness, std::size_t n,
                std::size_t lane) {
     stiffness = {numbers.body(n, BodyField::StiffAlong, lane), numbers.body(n, BodyField::StiffTurning, lane),
-                 numbers.body(n, BodyField::Swinging, lane)};
+                 numbers.body(n, BodyField::Swinging, lane), numbers.body(n, BodyField::Mass, lane)};
     if (!(record.inverseInertia > 0)) return;
     // More inertia at the same spin would be more energy: the body keeps its angular momentum.
     const double was = inertiaOf(record), now = numbers.body(n, BodyField::Inertia, lane);
@@ -167,6 +167,8 @@ void loadIslands(const IslandNumbers& numbers, const JointStore& joints, const B
     numbers.forEachMoved([&](std::size_t n, std::size_t lane) {
         const JointIsland::Stiffness& stiffness = numbers.islands[lane]->stiffness[n];
         numbers.body(n, BodyField::StiffAlong, lane) = stiffness.along;
+        double& mass = numbers.body(n, BodyField::Mass, lane);
+        mass = std::max(mass, stiffness.mass);
         numbers.body(n, BodyField::StiffTurning, lane) = stiffness.turning;
         numbers.body(n, BodyField::Swinging, lane) = stiffness.swinging;
     });

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/joints/joint_batch.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <plumb/dynamics/joints/island_energy.h>
 #include <plumb/dynamics/joints/island_report.h>
 
 namespace plumb {
@@ -11,27 +13,38 @@ namespace plumb {
 void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& joints, BodyStore& bodies, double h,
                       int mostFloats) {
     pieces_ = islands.front()->pieces;
+    given_ = raised_ = {};
+    touchesNothing_ = false;
     moved_ = false;
     h_ = h;
     numbers.layOut(islands, mostFloats);
     for (std::size_t lane = 0; lane < numbers.width; ++lane) {
         islands[lane]->batch = this;
         islands[lane]->lane = lane;
+        lost_[lane] = lostNext_[lane] = islands[lane]->lost;
+        touchesNothing_ = touchesNothing_ || !islands[lane]->touches;
     }
     loadIslands(numbers, joints, bodies, h);
     contacts.find(numbers, bodies);
     numbers.activateAll();
+    for (std::size_t lane = 0; lane < numbers.width; ++lane)
+        energy_[lane] = std::max({islands[lane]->energy, energyOf(numbers, bodies, lane),
+                                  2 * plumb::fallOf(numbers, lane, BodyField::GainX)});
     writeVelocities(numbers, bodies);
     numbers.kernel().place(numbers.view);
     for (std::size_t i = 0; i < numbers.layout->rows.size(); ++i)
         for (std::size_t lane = 0; lane < numbers.width; ++lane)
             numbers.row(i, RowField::StartError, lane) = numbers.errorOf(i, lane);
-    numbers.kernel().setMasses(numbers.view, h);
 }
 
-void JointBatch::store(JointStore& joints, BodyStore& bodies) {
+void JointBatch::store(JointStore& joints, BodyStore& bodies, double dt) {
     numbers.kernel().findInertias(numbers.view, h_);
     storeIslands(numbers, joints, bodies);
+    constexpr double memory = 2;  ///< in which the energy of former steps is forgotten [s]
+    for (std::size_t lane = 0; lane < numbers.width; ++lane) {
+        numbers.islands[lane]->lost = lostNext_[lane];
+        numbers.islands[lane]->energy = energy_[lane] * (1 - std::min(dt / memory, 1.0));
+    }
 }
 
 void JointBatch::pull(const BodyStore& bodies) {
@@ -39,12 +52,22 @@ void JointBatch::pull(const BodyStore& bodies) {
     pullVelocities(numbers, bodies);
 }
 
+void JointBatch::noteSpeeds(bool ofFree) {
+    if (ofFree) numbers.kernel().noteSpeeds(numbers.view, false);
+    if (touchesNothing_) numbers.kernel().noteSpeeds(numbers.view, true);
+}
+
 /// Dampers act by the speeds before this half, so these are noted before the kicks of fields are taken in.
 void JointBatch::kick(const BodyStore& bodies, bool correct) {
     if (std::exchange(moved_, false)) pullPlaces(numbers, bodies);
-    if (correct) numbers.kernel().noteSpeeds(numbers.view);
+    noteSpeeds(correct);
     pullVelocities(numbers, bodies);
-    if (pieces_ > 1) endPieces();
+    if (pieces_ > 1) {
+        endPieces();
+        noteSpeeds(false);
+    }
+    for (std::size_t lane = 0; lane < numbers.width && correct; ++lane)
+        raised_[lane] = 0.5 * fallOf(lane, BodyField::Vx);
     numbers.kernel().setMasses(numbers.view, h_);
     numbers.kernel().kick(numbers.view);
     contacts.addFirstGuess(numbers, bodies);
@@ -60,20 +83,47 @@ void JointBatch::setFreeVelocities() {
     });
 }
 
-void JointBatch::findSolution(const IslandTurn& turn, const LaneFlags& lanes, double change) {
+void JointBatch::findSolution(const BodyStore& bodies, const IslandTurn& turn, const LaneFlags& lanes, double change) {
     numbers.active = lanes;
     numbers.kernel().guess(numbers.view, change);
     numbers.kernel().prepare(numbers.view, turn);
-    solvePrepared(turn, lanes);
+    solvePrepared(bodies, turn, lanes);
 }
 
-void JointBatch::solvePrepared(const IslandTurn& turn, const LaneFlags& lanes) {
+void JointBatch::solvePrepared(const BodyStore& bodies, const IslandTurn& turn, const LaneFlags& lanes) {
     numbers.active = lanes;
     numbers.kernel().solve(numbers.view);
     if (turn.closesGaps()) predict(turn);
     numbers.active = lanes;
     if (!turn.onlyHold) noteStates();
     numbers.kernel().accept(numbers.view);
+    if (!touchesNothing_) return;
+    numbers.kernel().findWork(numbers.view);
+    for (std::size_t lane = 0; lane < numbers.width; ++lane)
+        if (lanes[lane] != 0 && !numbers.islands[lane]->touches) keepEnergy(bodies, lane, turn);
+}
+
+double JointBatch::fallOf(std::size_t lane, int velocity) const {
+    return numbers.layout->someFree || numbers.islands[lane]->touches ? 0.0 : plumb::fallOf(numbers, lane, velocity);
+}
+
+/// A gain of less than mayGain comes back of itself, as that of a pendulum that swings through. A loss may do so, too.
+void JointBatch::keepEnergy(const BodyStore& bodies, std::size_t lane, const IslandTurn& turn) {
+    constexpr double mayGain = 0.003, mayReturn = 0.03;
+    const double work = numbers.work[lane];
+    if (turn.correct) {
+        given_[lane] = work;
+        lost_[lane] = lostNext_[lane];
+        return;
+    }
+    const double fall = turn.onlyHold ? 0.0 : 0.5 * fallOf(lane, BodyField::Vx);
+    const double lost = lost_[lane] - given_[lane] - raised_[lane] - work - fall;
+    lostNext_[lane] = std::min(lost, mayReturn * energy_[lane]);
+    if (lost >= -mayGain * energy_[lane]) return;
+    energy_[lane] = std::max(energy_[lane], energyOf(numbers, bodies, lane) + lost);  // without the gain
+    const double least = -mayGain * energy_[lane];
+    if (lost >= least) return;
+    lostNext_[lane] = lost + takeEnergy(numbers, bodies, lane, least - lost);
 }
 
 /// Predicts rows from the solution until that matters no more: where joints will be after the sub-step depends on the
@@ -120,7 +170,7 @@ IslandTurn JointBatch::ownTurn(IslandTurn turn) const {
 
 void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn) {
     numbers.activateAll();
-    findSolution(ownTurn(turn), LaneFlags(numbers.active), 1);
+    findSolution(bodies, ownTurn(turn), LaneFlags(numbers.active), 1);
     writeVelocities(numbers, bodies);
 }
 
@@ -136,8 +186,8 @@ LaneFlags JointBatch::respondToContacts(BodyStore& bodies, const IslandTurn& tur
     if (touched == LaneFlags{}) return touched;
     for (std::size_t lane = 0; lane < numbers.width; ++lane)
         if (touched[lane] > waits[lane]) (numbers.layout->someFree || pushed[lane] != 0 ? others : prepared)[lane] = 1;
-    if (prepared != LaneFlags{}) solvePrepared(ownTurn(turn), prepared);
-    if (others != LaneFlags{}) findSolution(ownTurn(turn), others, 0);
+    if (prepared != LaneFlags{}) solvePrepared(bodies, ownTurn(turn), prepared);
+    if (others != LaneFlags{}) findSolution(bodies, ownTurn(turn), others, 0);
     numbers.active = touched;
     writeVelocities(numbers, bodies);
     return touched;
@@ -148,7 +198,7 @@ void JointBatch::closeGaps(BodyStore& bodies, std::size_t lane, double h, double
     setFreeVelocities();
     LaneFlags only{};
     only[lane] = 1;
-    findSolution({h, true, true, fastest}, only, 0);
+    findSolution(bodies, {h, true, true, fastest}, only, 0);
     numbers.kernel().addLoads(numbers.view);
     writeVelocities(numbers, bodies);
 }
@@ -202,6 +252,7 @@ void JointBatch::move(BodyStore& bodies, double h, double fastest, StepObserver*
         numbers.kernel().move(numbers.view, h);
     else
         moveInPieces(bodies, h, fastest, observer);
+    for (std::size_t lane = 0; lane < numbers.width; ++lane) raised_[lane] -= fallOf(lane, BodyField::Vx);
     writePlaces(numbers, bodies);
 }
 
@@ -221,12 +272,14 @@ void JointBatch::forEachCoordinate(Change&& change) {
 /// Test: "ropes let go from any angle gain at most 1 % of their fall in a minute, and lose at most 20 %"
 void JointBatch::moveInPieces(BodyStore& bodies, double h, double fastest, StepObserver* observer) {
     const double piece = h / pieces_;
+    const LaneFlags raised = std::exchange(raised_, LaneFlags{});
     forEachCoordinate([](double&, double place, double& bent) { bent = place; });
     for (int i = 0; i < pieces_; ++i) {
         for (const bool correct : {true, false}) {
             numbers.activateAll();
             setFreeVelocities();
-            findSolution({piece, correct, true, fastest}, LaneFlags(numbers.active), correct && i > 0 ? 1 : 0);
+            noteSpeeds(false);
+            findSolution(bodies, {piece, correct, true, fastest}, LaneFlags(numbers.active), correct && i > 0 ? 1 : 0);
             note(observer, piece, true);
             if (correct) numbers.kernel().move(numbers.view, piece);
         }
@@ -236,6 +289,9 @@ void JointBatch::moveInPieces(BodyStore& bodies, double h, double fastest, StepO
         bent = velocity - mean;
         velocity = mean;
     });
+    raised_ = raised;
+    given_ = {};
+    lost_ = lostNext_;
     writeVelocities(numbers, bodies);
 }
 

@@ -35,8 +35,8 @@ public:
     /// most so many floats.
     void load(std::span<JointIsland* const> islands, const JointStore& joints, BodyStore& bodies, double h,
               int mostFloats);
-    /// Gives them back at its end.
-    void store(JointStore& joints, BodyStore& bodies);
+    /// Gives them back at its end, after dt [s].
+    void store(JointStore& joints, BodyStore& bodies, double dt);
 
     /// Adds what others have changed.
     void pull(const BodyStore& bodies);
@@ -74,21 +74,33 @@ private:
     void endPieces();
     void setFreeVelocities();
     /// In some lanes. change: the share of the last change of velocities that is expected again.
-    void findSolution(const IslandTurn& turn, const LaneFlags& lanes, double change);
+    void findSolution(const BodyStore& bodies, const IslandTurn& turn, const LaneFlags& lanes, double change);
     /// From conditions of the rows that are known.
-    void solvePrepared(const IslandTurn& turn, const LaneFlags& lanes);
+    void solvePrepared(const BodyStore& bodies, const IslandTurn& turn, const LaneFlags& lanes);
     void predict(const IslandTurn& turn);
     void noteStates();
+    /// Before the velocities of a half change. ofFree: of rows that do not hold, too.
+    void noteSpeeds(bool ofFree);
+    /// Before a move, notes what joints give an island that touches nothing; after it, takes back what they may not
+    /// give.
+    void keepEnergy(const BodyStore& bodies, std::size_t lane, const IslandTurn& turn);
+    /// The same as without numbers; none, if something else than forces and rows that hold acts on the island.
+    double fallOf(std::size_t lane, int velocity) const;
     void note(StepObserver* observer, double h, bool inPieces);
     IslandTurn ownTurn(IslandTurn turn) const;
     /// Adds the changes of velocity by impulses, without the joints', to velocities of a kind.
     void addPushes(std::size_t lane, std::span<BodyPush> pushes, int field);
     Vec3 changeBy(std::size_t lane, std::size_t node, const Vec3& impulse) const;
 
-    double h_ = 0;        ///< of the sub-step [s]
-    int pieces_ = 1;      ///< in which its islands move in each of them
-    LaneFlags pushed_{};  ///< an impact has changed the free velocities
-    bool moved_ = false;  ///< others may have moved bodies
+    double h_ = 0;                   ///< of the sub-step [s]
+    int pieces_ = 1;                 ///< in which its islands move in each of them
+    LaneFlags pushed_{};             ///< an impact has changed the free velocities
+    LaneFlags given_{};              ///< by joints, before the move [J]
+    LaneFlags raised_{};             ///< by the move, more than forces have taken for it [J]
+    LaneFlags lost_{}, lostNext_{};  ///< before and after this sub-step, see JointIsland
+    LaneFlags energy_{};             ///< that the islands had lately [J]
+    bool moved_ = false;             ///< others may have moved bodies
+    bool touchesNothing_ = false;    ///< one of its islands
 };
 
 }  // namespace plumb

@@ -13,6 +13,7 @@ struct JointIsland {
     struct Stiffness {
         double along = 0, turning = 0;  ///< [N/m, N m/rad]
         double swinging = 0;            ///< turning, also by what acts within pieces of a sub-step
+        double mass = 0;                ///< with which it was solved last [kg]
     };
 
     std::vector<JointIndex> joints;
@@ -22,6 +23,7 @@ struct JointIsland {
     std::vector<BodyIndex> bodies;        ///< that impulses move
     std::vector<BodyIndex> held;          ///< that they do not move
     std::vector<Stiffness> stiffness;     ///< of the bodies that move
+    double energy = 0, lost = 0;          ///< lately, and what joints took and may give back [J] (see island_energy.h)
     double turning = 0, mostTurning = 0;  ///< of its links at the last step, and lately [rad/s]
     bool touches = false;                 ///< something, in this step
     int pieces = 1;                       ///< in which it moves in each sub-step of this step

@@ -88,15 +88,21 @@ private:
 };
 
 /// The islands that there were. One joint that is added or broken makes all islands be found again; those that it does
-/// not touch must not lose their layouts, which are dear, nor their bodies' stiffness, which is known from past steps.
+/// not touch must not lose their layouts, which are dear, nor their bodies' stiffness and the energy that joints have
+/// taken, which are known from past steps.
 class IslandsBefore {
 public:
     IslandsBefore(std::vector<JointIsland>&& islands, const JointStore& joints, std::size_t bodies)
-        : islands_(std::move(islands)), joints_(joints), islandOf_(joints.records.size(), none), stiffness_(bodies) {
+        : islands_(std::move(islands)),
+          joints_(joints),
+          islandOf_(joints.records.size(), none),
+          stiffness_(bodies),
+          energy_(bodies) {
         for (std::uint32_t i = 0; i < islands_.size(); ++i) {
             const JointIsland& island = islands_[i];
             if (!island.isSwept()) islandOf_[island.joints.front()] = i;
             for (std::size_t b = 0; b < island.bodies.size(); ++b) stiffness_[island.bodies[b]] = island.stiffness[b];
+            energy_[island.bodies.front()] = {island.energy, island.lost};
         }
     }
 
@@ -110,8 +116,12 @@ public:
         return true;
     }
 
-    void keepStiffness(JointIsland& island) const {
-        for (std::size_t b = 0; b < island.bodies.size(); ++b) island.stiffness[b] = stiffness_[island.bodies[b]];
+    void keepState(JointIsland& island) const {
+        for (std::size_t b = 0; b < island.bodies.size(); ++b) {
+            island.stiffness[b] = stiffness_[island.bodies[b]];
+            island.energy += energy_[island.bodies[b]].first;
+            island.lost += energy_[island.bodies[b]].second;
+        }
     }
 
 private:
@@ -119,6 +129,7 @@ private:
     const JointStore& joints_;
     std::vector<std::uint32_t> islandOf_;            ///< of its first joint
     std::vector<JointIsland::Stiffness> stiffness_;  ///< of each body
+    std::vector<std::pair<double, double>> energy_;  ///< of each island and what it lost, at its first body
 };
 
 /// Groups are in the order of their first islands, not of their layouts' addresses: else runs would differ.
@@ -186,7 +197,7 @@ void findJointIslands(JointIslands& found, JointStore& joints, const BodyStore& 
     for (JointIsland& island : found.islands) {
         if (before.takeOver(island)) continue;
         numbering.number(island, found.layouts);
-        before.keepStiffness(island);
+        before.keepState(island);
         for (const JointIndex joint : island.joints) joints[joint].edited = false;
     }
     groupAlike(found);

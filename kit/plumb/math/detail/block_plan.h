@@ -49,8 +49,8 @@ struct BlockPlan {
 
 /// The plan for a graph, in which the first nodes are unknowns and the others constraints, as bodies and joints are;
 /// null if the elimination would take more than mostUpdates block updates. fromWalls: an unknown that has a constraint
-/// for itself counts as an end. So a chain between two walls has two ends, which go in turn; but what is hung up at such
-/// an end becomes almost rigid when that is eliminated, and loses digits.
+/// for itself counts as an end. So a chain between two walls has two ends, which go in turn; but what is hung up at
+/// such an end becomes almost rigid when that is eliminated, and loses digits.
 std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t unknowns, std::uint32_t constraints,
                                             std::span<const BlockPlan::Edge> edges, std::size_t mostUpdates,
                                             bool fromWalls = false);

@@ -125,6 +125,17 @@ struct Elimination : IslandItems<W, use> {
         }
     }
 
+    static void findWork(const IslandLanes& v) {
+        Number work{};
+        for (std::uint32_t i = 0; i < v.laid[v.laidCount].firstRow; ++i) {
+            if (!v.laidRows[i].holds) continue;
+            const auto row = Factors::rowAt(v, i);
+            const Number impulse = row[R::Impulse], after = row[R::Speed] - row[R::Compliance] * impulse;
+            work += 0.5 * impulse * (row[R::NotedSpeed] + after);
+        }
+        Block{v.work}.set(0, work);
+    }
+
     static void makeFactors(IslandLanes& v) {
         if (v.factored) return;
         fill(v);
@@ -134,7 +145,8 @@ struct Elimination : IslandItems<W, use> {
 
     static void fill(const IslandLanes& v) {
         const auto clear = [&v](std::uint32_t first, std::uint32_t end) {
-            for (std::uint32_t i = first; i < end; ++i) Factors::clear(Factors::blockOf(v, i), Factors::isAlone ? 12 : 9);
+            for (std::uint32_t i = first; i < end; ++i)
+                Factors::clear(Factors::blockOf(v, i), Factors::isAlone ? 12 : 9);
         };
         clear(0, v.moved + v.laidCount);
         clear(v.firstFill, v.blocks);
@@ -169,7 +181,7 @@ struct Elimination : IslandItems<W, use> {
         if constexpr (Items::holdsJoints)
             for (std::size_t l = Items::bodiesAnEnd; l-- > 0;)
                 Block{v.block + v.solvedPlaces[joint * Items::bodiesAnEnd + l] * blocksANode}.set(Factors::in(r, r),
-                                                                                                value[l]);
+                                                                                                  value[l]);
         else
             Factors::blockOf(v, v.moved + joint).set(Factors::in(r, r), value);
     }
@@ -182,7 +194,9 @@ struct Elimination : IslandItems<W, use> {
         for (std::size_t l = 0; l < Items::bodiesAnEnd; ++l) {
             const IslandShape::BlockPlace& place = places[l];
             for (int c = 0; c < 3; ++c) {
-                const Block to{v.block + (place.first + static_cast<std::uint32_t>(r) * place.row + static_cast<std::uint32_t>(c) * place.column) * std::size_t{Factors::N}};
+                const Block to{v.block + (place.first + static_cast<std::uint32_t>(r) * place.row +
+                                          static_cast<std::uint32_t>(c) * place.column) *
+                                             std::size_t{Factors::N}};
                 const Number value = laneOf(at.along[c], l);
                 to.set(0, place.isFirst ? value : to[0] + value);
             }

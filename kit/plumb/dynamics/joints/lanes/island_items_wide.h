@@ -36,12 +36,8 @@ struct IslandItems {
 
     static constexpr D all(double value) { return D{} + value; }
 
-    static S bodyOf(const IslandLanes& v, std::uint32_t i) {
-        return {v.body + i * std::size_t{BodyField::count} * N};
-    }
-    static S linkOf(const IslandLanes& v, std::uint32_t i) {
-        return {v.link + i * std::size_t{LinkField::count} * N};
-    }
+    static S bodyOf(const IslandLanes& v, std::uint32_t i) { return {v.body + i * std::size_t{BodyField::count} * N}; }
+    static S linkOf(const IslandLanes& v, std::uint32_t i) { return {v.link + i * std::size_t{LinkField::count} * N}; }
     static S rowOf(const IslandLanes& v, std::uint32_t i) { return {v.row + i * std::size_t{RowField::count} * N}; }
 
     /// The body at one end of a link: of each lane another one, if lanes hold joints.

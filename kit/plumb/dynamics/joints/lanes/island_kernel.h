@@ -108,6 +108,7 @@ struct RowField {
         Compliance,   ///< -1: the row is not solved for, and gives Known
         Known,        ///< [N s or N m s]
         Impulse,      ///< of this pass
+        NotedSpeed,   ///< before the sub-step; of a row that holds, before the half
         Origin,
         StartError,  ///< at the step's start
         // Only of rows that do not hold:
@@ -120,16 +121,15 @@ struct RowField {
         UpperStop,
         Push,
         DampPush,
-        Wanted,      ///< the drive's target, if there were no stops
-        Back,        ///< speed at which an error beyond a stop is closed; negative at the upper one
-        StopPush,    ///< what stops have given for that in the half before the sub-step
-        TakenBack,   ///< of it, in this pass
-        Slope,       ///< see JointRow
-        Growth,      ///< exp(DampedAt) - 1
-        DampedAt,    ///< damping, half a sub-step and inverse mass, multiplied
-        NotedSpeed,  ///< before the sub-step
-        Loaded,      ///< 1: it is at a stop that is loaded by contacts; -1: that has opened in this half (see
-                     ///< island_contacts.h)
+        Wanted,     ///< the drive's target, if there were no stops
+        Back,       ///< speed at which an error beyond a stop is closed; negative at the upper one
+        StopPush,   ///< what stops have given for that in the half before the sub-step
+        TakenBack,  ///< of it, in this pass
+        Slope,      ///< see JointRow
+        Growth,     ///< exp(DampedAt) - 1
+        DampedAt,   ///< damping, half a sub-step and inverse mass, multiplied
+        Loaded,     ///< 1: it is at a stop that is loaded by contacts; -1: that has opened in this half (see
+                    ///< island_contacts.h)
         DriveSpeed,
         DriveRate,
         MostImpulse,
@@ -176,15 +176,16 @@ struct IslandLanes {
     // The items: what lies in the same lanes counts as one.
     const IslandShape::Link* links = nullptr;
     const IslandShape::Row* rows = nullptr;
-    const IslandShape::Joint* joints = nullptr;       ///< and one past the end
-    const std::uint32_t* endPlaces = nullptr;         ///< of both ends of each link: where its body begins
-    std::uint32_t bodyItems = 0, movedItems = 0;      ///< all bodies, and those that impulses move
+    const IslandShape::Joint* joints = nullptr;   ///< and one past the end
+    const std::uint32_t* endPlaces = nullptr;     ///< of both ends of each link: where its body begins
+    std::uint32_t bodyItems = 0, movedItems = 0;  ///< all bodies, and those that impulses move
     std::uint32_t linkCount = 0, rowCount = 0, jointCount = 0;
     std::uint32_t movedEnd = 0;  ///< bodies that impulses do not move begin here, or after it
 
     // The equations, of each joint and each body.
-    const IslandShape::Joint* laid = nullptr;    ///< and one past the end
-    const std::uint32_t* bodyPlaces = nullptr;   ///< where it begins
+    const IslandShape::Joint* laid = nullptr;  ///< and one past the end
+    const IslandShape::Row* laidRows = nullptr;
+    const std::uint32_t* bodyPlaces = nullptr;  ///< where it begins
     const std::uint32_t* rowPlaces = nullptr;
     const std::uint32_t* solvedPlaces = nullptr;  ///< of the joints of each item: where its part of the solution begins
     const IslandShape::BlockPlace* blockPlaces = nullptr;  ///< of both ends of each link
@@ -204,6 +205,7 @@ struct IslandLanes {
     double* active = nullptr;    ///< 1: the lane takes part in this pass
     double* missed = nullptr;    ///< how far the last prediction was off (see WidePlaces::keepMissed)
     double* lost = nullptr;      ///< 1: predictions have not come closer
+    double* work = nullptr;      ///< of rows that hold in the last solution, see island_energy.h [J]
     double* heavy = nullptr;     ///< 1: dampers act by the speed at the end of each half (see island_curve_wide.h)
     bool factored = false;       ///< the blocks hold the factors of the present matrix
     double compliance = 0;       ///< of rows that hold, relative to their inverse mass [-]
@@ -228,7 +230,8 @@ struct IslandKernel {
     void (*move)(IslandLanes& view, double h);
     /// Finds arms, axes and masses of rows, after bodies have moved.
     void (*place)(IslandLanes& view);
-    void (*noteSpeeds)(const IslandLanes& view);
+    /// Of rows that hold, or of the others.
+    void (*noteSpeeds)(const IslandLanes& view, bool hold);
     /// Sets U to V, and to a share of the change since the last move in addition.
     void (*guess)(const IslandLanes& view, double share);
     /// Finds the conditions of the rows. How far they will be off is predicted from U.
@@ -250,6 +253,7 @@ struct IslandKernel {
     /// Where a lane is active: sets V to U; adds the impulses to the loads; notes the stiffness by the forces.
     void (*accept)(const IslandLanes& view);
     void (*addLoads)(const IslandLanes& view);
+    void (*findWork)(const IslandLanes& view);
     /// h: of the sub-step, or of the piece of it, whose half was solved [s].
     void (*noteForces)(const IslandLanes& view, double h, bool inPieces);
     /// Finds the masses to solve for in the next sub-step of h [s].

@@ -255,9 +255,10 @@ struct WidePlaces : IslandItems<W, use> {
         }
     }
 
-    static void noteSpeeds(const IslandLanes& v) {
+    static void noteSpeeds(const IslandLanes& v, bool hold) {
         for (std::uint32_t i = 0; i < v.rowCount; ++i)
-            if (!v.rows[i].holds) rowOf(v, i).set(R::NotedSpeed, Elimination<W, use>::speedOf(v, i, B::Vx, B::Spin));
+            if (v.rows[i].holds == hold)
+                rowOf(v, i).set(R::NotedSpeed, Elimination<W, use>::speedOf(v, i, B::Vx, B::Spin));
     }
 
     /// Turning is predicted up to half a radian only: at larger angles, in a joint that is coming apart, the prediction

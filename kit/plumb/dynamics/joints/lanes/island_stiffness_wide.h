@@ -31,12 +31,17 @@ struct WideStiffness : IslandItems<W, use> {
 
     static constexpr double memory = 2;  ///< in which the stiffness of a line that is no longer tight decays [s]
 
+    /// More mass at the same speed would be more energy: a body keeps its momentum.
     static void setMasses(IslandLanes& v, double h) {
         for (std::uint32_t i = 0; i < v.movedItems; ++i) {
             const S b = bodyOf(v, i);
-            const D mass = larger(b[B::OwnMass], h * h * b[B::StiffAlong]);
-            v.factored = v.factored && !anyOf<W>(mass != b[B::Mass]);
+            const D was = b[B::Mass], mass = larger(b[B::OwnMass], h * h * b[B::StiffAlong]);
+            if (!anyOf<W>(mass != was)) continue;
+            v.factored = false;
             b.set(B::Mass, mass);
+            const D kept = mass > was ? was / mass : all(1);
+            b.set(B::Vx, b[B::Vx] * kept);
+            b.set(B::Vy, b[B::Vy] * kept);
         }
     }
 
@@ -83,6 +88,7 @@ struct WideStiffness : IslandItems<W, use> {
         for (std::uint32_t part = 0, i = v.joints[j].firstLink; i < v.joints[j + 1].firstLink; ++i, ++part) {
             const S l = linkOf(v, i);
             D x{}, y{}, aside{};
+            bool isAlong = false;
             const int axis = part == 0 ? R::AxisX : R::SecondAxisX;
             for (std::uint32_t r = v.joints[j].firstRow; r < v.joints[j + 1].firstRow; ++r) {
                 const S row = rowOf(v, r);
@@ -90,12 +96,13 @@ struct WideStiffness : IslandItems<W, use> {
                 x += row[axis] * force;
                 y += row[axis + 1] * force;
                 if (v.rows[r].axis[0] != RowAxis::Along || v.rows[r].parts > 1) continue;
+                isAlong = true;
                 const D length = row[R::Coordinate] + row[R::Origin];
                 const auto isRod = length > D{};
                 aside = isRod ? 2 * magnitude(force) / (isRod ? length : all(1)) : D{};
             }
             addToEnds(v, i, B::FreshTurning, -(x * l[L::ArmAx] + y * l[L::ArmAy]), x * l[L::ArmBx] + y * l[L::ArmBy]);
-            addToEnds(v, i, B::FreshAlong, aside, aside);
+            if (isAlong) addToEnds(v, i, B::FreshAlong, aside, aside);
         }
     }
 

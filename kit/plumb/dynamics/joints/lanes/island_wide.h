@@ -104,8 +104,7 @@ struct WideIslands : IslandItems<W, use> {
         row.set(R::Low, -high);
         D target = row[R::DriveSpeed] - row[R::DriveRate] * q;
         if (shape.axis[0] == RowAxis::Missing || shape.axis[0] == RowAxis::Beside) {
-            const auto wanted =
-                Places::wantedVelocity(row, linkOf(v, shape.link), Items::endOf(v, shape.link, false));
+            const auto wanted = Places::wantedVelocity(row, linkOf(v, shape.link), Items::endOf(v, shape.link, false));
             target = row[R::AxisX] * wanted.x + row[R::AxisY] * wanted.y;
         }
         const D above = Curve::roomSpeed(row[R::LimitUpper] - q, turn);
@@ -283,11 +282,11 @@ struct WideIslands : IslandItems<W, use> {
 
 template <int W, LaneUse use>
 const IslandKernel WideIslandKernel<W, use>::code{
-    WidePlaces<W, use>::move,           WidePlaces<W, use>::place,        WidePlaces<W, use>::noteSpeeds,
-    WideIslands<W, use>::guess,         WideIslands<W, use>::prepare,     WideIslands<W, use>::predictAgain,
-    WideIslands<W, use>::predictHeld,   WideIslands<W, use>::solve,       WideIslands<W, use>::solvePush,
-    WideIslands<W, use>::findResponses, WideIslands<W, use>::accept,      WideIslands<W, use>::addLoads,
-    WideStiffness<W, use>::noteForces,  WideStiffness<W, use>::setMasses, WideIslands<W, use>::kick,
-    WideStiffness<W, use>::findInertias};
+    WidePlaces<W, use>::move,           WidePlaces<W, use>::place,          WidePlaces<W, use>::noteSpeeds,
+    WideIslands<W, use>::guess,         WideIslands<W, use>::prepare,       WideIslands<W, use>::predictAgain,
+    WideIslands<W, use>::predictHeld,   WideIslands<W, use>::solve,         WideIslands<W, use>::solvePush,
+    WideIslands<W, use>::findResponses, WideIslands<W, use>::accept,        WideIslands<W, use>::addLoads,
+    Elimination<W, use>::findWork,      WideStiffness<W, use>::noteForces,  WideStiffness<W, use>::setMasses,
+    WideIslands<W, use>::kick,          WideStiffness<W, use>::findInertias};
 
 }  // namespace plumb
