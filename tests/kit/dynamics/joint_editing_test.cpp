@@ -8,6 +8,7 @@
 #include <plumb/plumb.h>
 #include "catch.h"
 #include "kit/usual_world.h"
+using namespace plumb;
 using namespace plumb::test;
 
 namespace {
