@@ -240,9 +240,9 @@ struct IslandKernel {
     /// again if that matters and comes closer to a solution, else makes the lane inactive, and lost if it does not come
     /// closer. Returns true if some lane is active.
     bool (*predictAgain)(IslandLanes& view, const IslandTurn& turn);
-    /// Where a lane is active, predicts rows that hold from U. atMiddle: for impulses along the axes in the middle of
-    /// the sub-step, instead of at its start. They cost energy.
-    void (*predictHeld)(IslandLanes& view, const IslandTurn& turn, bool atMiddle);
+    /// Where a lane is active, rows that hold shall close the gaps that there are, and do nothing about the coming
+    /// ones.
+    void (*dropPrediction)(const IslandLanes& view, const IslandTurn& turn);
     /// Solves for U from the free velocities, and, where a lane is active, for the impulses. Returns true if a row came
     /// to another part of its curve; it can do so where a lane is active.
     bool (*solve)(IslandLanes& view);

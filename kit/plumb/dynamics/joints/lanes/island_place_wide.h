@@ -103,64 +103,33 @@ struct WidePlaces : IslandItems<W, use> {
         return {given.x - l[L::ApartX] * row[R::DriveRate], given.y - l[L::ApartY] * row[R::DriveRate]};
     }
 
-    /// What the rows of a link need to know of its place.
-    struct LinkPlace {
-        Pair apart, armB, turnA;
-    };
-    static LinkPlace placeOf(const S& l, const BodyAtEnd& a) {
-        return {{l[L::ApartX], l[L::ApartY]}, {l[L::ArmBx], l[L::ArmBy]}, {a[B::Cos], a[B::Sin]}};
-    }
-    static LinkPlace laterPlaceOf(const S& l, const BodyAtEnd& a, const BodyAtEnd& b) {
-        return {{l[L::LaterApartX], l[L::LaterApartY]},
-                turned(b[B::LaterCos], b[B::LaterSin], l[L::StartArmBx], l[L::StartArmBy]),
-                {a[B::LaterCos], a[B::LaterSin]}};
-    }
-
-    static Pair directionOf(RowAxis axis, const S& row, int direction, const LinkPlace& place) {
+    static Pair directionOf(RowAxis axis, const S& row, int direction, const S& l, const BodyAtEnd& a) {
         const D x = row[direction], y = row[direction + 1];
         switch (axis) {
             case RowAxis::World: return {x, y};
-            case RowAxis::OnA: return turned(place.turnA.x, place.turnA.y, x, y);
-            case RowAxis::Along: return unit(place.apart.x, place.apart.y, D{});
-            case RowAxis::Towards: return unit(place.apart.x, place.apart.y, all(1));
+            case RowAxis::OnA: return turned(a[B::Cos], a[B::Sin], x, y);
+            case RowAxis::Along: return unit(l[L::ApartX], l[L::ApartY], D{});
+            case RowAxis::Towards: return unit(l[L::ApartX], l[L::ApartY], all(1));
             case RowAxis::Across: {
-                const Pair towards = unit(place.apart.x, place.apart.y, all(1));
+                const Pair towards = unit(l[L::ApartX], l[L::ApartY], all(1));
                 return {-towards.y, towards.x};
             }
             default: return {D{}, D{}};
         }
     }
 
-    static Axis axisAt(const Pair& u, const Pair& fromA, const Pair& armB) {
-        return {u.x, u.y, fromA.y * u.x - fromA.x * u.y, armB.x * u.y - armB.y * u.x};
-    }
-
     static Axis axisOf(const IslandLanes& v, std::uint32_t link, RowAxis axis, const S& row, int direction) {
         if (axis == RowAxis::Turning) return {D{}, D{}, all(-1), all(1)};
         const S l = linkOf(v, link);
         const BodyAtEnd a = endOf(v, link, false), b = endOf(v, link, true);
-        const LinkPlace place = placeOf(l, a);
-        Pair u = directionOf(axis, row, direction, place);
+        Pair u = directionOf(axis, row, direction, l, a);
         if (axis == RowAxis::Missing || axis == RowAxis::Beside) {
             const Pair lacked = missingVelocity(row, l, a, b);
             u = unit(lacked.x, lacked.y, all(1));
             if (axis == RowAxis::Beside) u = {-u.y, u.x};
         }
-        return axisAt(u, {l[L::ArmAx] + place.apart.x, l[L::ArmAy] + place.apart.y}, place.armB);
-    }
-
-    /// The axis in the middle of the coming sub-step, of a row that holds.
-    static Axis middleAxisOf(const IslandLanes& v, std::uint32_t link, RowAxis axis, const S& row, int direction) {
-        const Axis now = axisOf(v, link, axis, row, direction);
-        if (axis == RowAxis::Turning) return now;
-        const S l = linkOf(v, link);
-        const BodyAtEnd a = endOf(v, link, false), b = endOf(v, link, true);
-        const LinkPlace place = laterPlaceOf(l, a, b);
-        const Pair armA = turned(place.turnA.x, place.turnA.y, l[L::StartArmAx], l[L::StartArmAy]);
-        const Axis later = axisAt(directionOf(axis, row, direction, place),
-                                  {armA.x + place.apart.x, armA.y + place.apart.y}, place.armB);
-        return {0.5 * (now.x + later.x), 0.5 * (now.y + later.y), 0.5 * (now.turnA + later.turnA),
-                0.5 * (now.turnB + later.turnB)};
+        const D fromX = l[L::ArmAx] + l[L::ApartX], fromY = l[L::ArmAy] + l[L::ApartY];
+        return {u.x, u.y, fromY * u.x - fromX * u.y, l[L::ArmBx] * u.y - l[L::ArmBy] * u.x};
     }
 
     /// A part of the coordinate; later: after the coming sub-step.
@@ -198,48 +167,25 @@ struct WidePlaces : IslandItems<W, use> {
         row.set(field + 3, axis.turnB);
     }
 
-    /// Sets the axes to those that find(link, axis, field of the direction) returns.
-    template <class Find>
-    [[gnu::always_inline]] static inline void setAxes(const IslandLanes& v, std::uint32_t i, Find&& find) {
+    static void placeRow(const IslandLanes& v, std::uint32_t i) {
         const IslandShape::Row& shape = v.rows[i];
         const S row = rowOf(v, i);
-        const Axis axis = find(shape.link, shape.axis[0], R::DirectionX);
+        const Axis axis = axisOf(v, shape.link, shape.axis[0], row, R::DirectionX);
         setAxis(row, R::AxisX, axis);
         D w = inverseMassOf(v, shape.link, axis);
         if (shape.parts > 1) {
             const D ratio = row[R::Ratio];
-            Axis second = find(shape.link + 1, shape.axis[1], R::SecondDirectionX);
+            Axis second = axisOf(v, shape.link + 1, shape.axis[1], row, R::SecondDirectionX);
             second = {second.x * ratio, second.y * ratio, second.turnA * ratio, second.turnB * ratio};
             setAxis(row, R::SecondAxisX, second);
             w += inverseMassOf(v, shape.link + 1, second);
         }
         row.set(R::InverseMass, w);
-        if (shape.holds) row.set(R::Compliance, w > D{} ? v.compliance * w : all(-1));
-    }
-
-    /// Turns the axes of rows that hold to the middle of the coming sub-step, where lanes are active.
-    static void turnToMiddle(IslandLanes& v) {
-        v.factored = false;
-        const auto active = isActive(v);
-        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
-            if (!v.rows[i].holds) continue;
-            const S row = rowOf(v, i);
-            setAxes(v, i, [&](std::uint32_t link, RowAxis axis, int direction) {
-                const Axis now = axisOf(v, link, axis, row, direction),
-                           middle = middleAxisOf(v, link, axis, row, direction);
-                return Axis{active ? middle.x : now.x, active ? middle.y : now.y, active ? middle.turnA : now.turnA,
-                            active ? middle.turnB : now.turnB};
-            });
-        }
-    }
-
-    static void placeRow(const IslandLanes& v, std::uint32_t i) {
-        const IslandShape::Row& shape = v.rows[i];
-        const S row = rowOf(v, i);
-        setAxes(v, i,
-                [&](std::uint32_t link, RowAxis axis, int direction) { return axisOf(v, link, axis, row, direction); });
         row.set(R::Coordinate, coordinateOf(v, shape, row, false));
-        if (!shape.holds) findGrowth(row, row[R::InverseMass]);
+        if (shape.holds)
+            row.set(R::Compliance, w > D{} ? v.compliance * w : all(-1));
+        else
+            findGrowth(row, w);
     }
 
     /// exp(c w h / 2) - 1, found anew only where it has changed.

@@ -70,19 +70,15 @@ struct WideIslands : IslandItems<W, use> {
 
     static bool predictAgain(IslandLanes& v, const IslandTurn& turn) {
         if (!Places::keepMissed(v, turn.h)) return false;
-        predictHeld(v, turn, false);
+        Places::predict(v, turn.h);
+        for (std::uint32_t i = 0; i < v.rowCount; ++i)
+            if (v.rows[i].holds) holdRow(v, rowOf(v, i), heldSpeed(rowOf(v, i), bendOf(v, i, turn), turn));
         return true;
     }
 
-    /// Where a lane is active: predicts from U how far rows that hold will be off.
-    static void predictHeld(IslandLanes& v, const IslandTurn& turn, bool atMiddle) {
-        Places::predict(v, turn.h);
-        if (atMiddle) Places::turnToMiddle(v);
-        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
-            if (!v.rows[i].holds) continue;
-            const S row = rowOf(v, i);
-            holdRow(v, row, heldSpeed(row, bendOf(v, i, turn), turn));
-        }
+    static void dropPrediction(const IslandLanes& v, const IslandTurn& turn) {
+        for (std::uint32_t i = 0; i < v.rowCount; ++i)
+            if (v.rows[i].holds) holdRow(v, rowOf(v, i), heldSpeed(rowOf(v, i), D{}, turn));
     }
 
     /// Removes the present error, and the whole error that the sub-step would add, to any order.
@@ -281,12 +277,22 @@ struct WideIslands : IslandItems<W, use> {
 };
 
 template <int W, LaneUse use>
-const IslandKernel WideIslandKernel<W, use>::code{
-    WidePlaces<W, use>::move,           WidePlaces<W, use>::place,          WidePlaces<W, use>::noteSpeeds,
-    WideIslands<W, use>::guess,         WideIslands<W, use>::prepare,       WideIslands<W, use>::predictAgain,
-    WideIslands<W, use>::predictHeld,   WideIslands<W, use>::solve,         WideIslands<W, use>::solvePush,
-    WideIslands<W, use>::findResponses, WideIslands<W, use>::accept,        WideIslands<W, use>::addLoads,
-    Elimination<W, use>::findWork,      WideStiffness<W, use>::noteForces,  WideStiffness<W, use>::setMasses,
-    WideIslands<W, use>::kick,          WideStiffness<W, use>::findInertias};
+const IslandKernel WideIslandKernel<W, use>::code{WidePlaces<W, use>::move,
+                                                  WidePlaces<W, use>::place,
+                                                  WidePlaces<W, use>::noteSpeeds,
+                                                  WideIslands<W, use>::guess,
+                                                  WideIslands<W, use>::prepare,
+                                                  WideIslands<W, use>::predictAgain,
+                                                  WideIslands<W, use>::dropPrediction,
+                                                  WideIslands<W, use>::solve,
+                                                  WideIslands<W, use>::solvePush,
+                                                  WideIslands<W, use>::findResponses,
+                                                  WideIslands<W, use>::accept,
+                                                  WideIslands<W, use>::addLoads,
+                                                  Elimination<W, use>::findWork,
+                                                  WideStiffness<W, use>::noteForces,
+                                                  WideStiffness<W, use>::setMasses,
+                                                  WideIslands<W, use>::kick,
+                                                  WideStiffness<W, use>::findInertias};
 
 }  // namespace plumb
