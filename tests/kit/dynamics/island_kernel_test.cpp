@@ -252,7 +252,7 @@ TEST_CASE("joint islands that are solved side by side get the bits that each get
         REQUIRE(layout != nullptr);
         std::vector<std::unique_ptr<KernelNumbers>> singles;
         for (int i = 0; i < 8; ++i)
-            drawNumbers(random, *singles.emplace_back(std::make_unique<KernelNumbers>(layout, 1)));
+            drawNumbers(random, *singles.emplace_back(std::make_unique<KernelNumbers>(layout, 1, 1)));
         std::vector<std::unique_ptr<KernelNumbers>> wide;
         for (const std::size_t width : widths()) {
             KernelNumbers& lanes = *wide.emplace_back(std::make_unique<KernelNumbers>(layout, width));

@@ -75,16 +75,17 @@ inline RandomMachine randomMachine(Random& random, const MachineParts& most) {
     return RandomMachine(random, size, parts);
 }
 
-/// The numbers of some islands of one layout, as the kernel takes them.
+/// The numbers of some islands of one layout, as the kernel takes them, in vectors of at most so many floats.
 class KernelNumbers {
 public:
-    KernelNumbers(std::shared_ptr<const IslandLayout> layout, std::size_t width) : islands_(width) {
+    KernelNumbers(std::shared_ptr<const IslandLayout> layout, std::size_t width, int mostFloats = 16)
+        : islands_(width) {
         std::vector<JointIsland*> some;
         for (JointIsland& island : islands_) {
             island.layout = layout;
             some.push_back(&island);
         }
-        numbers_.layOut(some, most);
+        numbers_.layOut(some, mostFloats);
         numbers_.activateAll();
         numbers_.view.slack = 0;  // the dense solution has none
     }
@@ -113,8 +114,6 @@ public:
     }
 
 private:
-    static constexpr int most = 16;  ///< floats in a vector
-
     template <class Visit>
     void forEachNumber(KernelNumbers& single, std::size_t lane, Visit&& visit) {
         for (std::size_t i = 0; i < layout().bodies; ++i)

@@ -50,25 +50,25 @@ struct Elimination : IslandItems<W, use> {
         }
     }
 
+    /// Joint after joint, whatever lanes hold: a sum in another order has other bits.
     static void applyKnown(const IslandLanes& v) {
-        if (!v.someFree) return;
-        for (std::uint32_t i = 0; i < v.rowCount; ++i)
-            if (!v.rows[i].holds && anyOf<W>(rowOf(v, i)[R::Known] != D{})) applyKnown(v, i);
+        for (std::uint32_t j = 0; j < v.jointCount && v.someFree; ++j)
+            for (std::uint32_t link = v.joints[j].firstLink; link < v.joints[j + 1].firstLink; ++link)
+                applyKnown(v, j, link, link == v.joints[j].firstLink ? R::AxisX : R::SecondAxisX);
     }
-    static void applyKnown(const IslandLanes& v, std::uint32_t i) {
-        const S row = rowOf(v, i);
-        const D known = row[R::Known];
-        for (std::uint32_t part = 0; part < v.rows[i].parts; ++part) {
-            const std::uint32_t link = v.rows[i].link + part;
-            const int axis = part == 0 ? R::AxisX : R::SecondAxisX;
-            const D massA = endOf(v, link, false)[B::Mass], massB = endOf(v, link, true)[B::Mass];
-            for (int c = 0; c < 2; ++c) {
-                const D push = row[axis + c] * known;
-                Items::addToEnds(v, link, B::Ux + c, -push / massA, push / massB);
-            }
-            Items::addToEnds(v, link, B::Uspin, turnBy(endOf(v, link, false), row[axis + 2] * known),
-                             turnBy(endOf(v, link, true), row[axis + 3] * known));
+    static void applyKnown(const IslandLanes& v, std::uint32_t j, std::uint32_t link, int axis) {
+        const auto a = endOf(v, link, false), b = endOf(v, link, true);
+        typename Items::Push pushes[3];
+        int count = 0;
+        for (std::uint32_t i = v.joints[j].firstRow; i < v.joints[j + 1].firstRow; ++i) {
+            const S row = rowOf(v, i);
+            const D known = row[R::Known];
+            if (v.rows[i].holds || !anyOf<W>(known != D{})) continue;
+            const D x = row[axis] * known, y = row[axis + 1] * known;
+            pushes[count++] = {{-x / a[B::Mass], -y / a[B::Mass], turnBy(a, row[axis + 2] * known)},
+                               {x / b[B::Mass], y / b[B::Mass], turnBy(b, row[axis + 3] * known)}};
         }
+        Items::pushEnds(v, link, B::Ux, pushes, count);
     }
     template <class Body>
     static D turnBy(const Body& b, D push) {

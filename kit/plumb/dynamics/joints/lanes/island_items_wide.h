@@ -66,15 +66,31 @@ struct IslandItems {
     /// Adds to the bodies at both ends of a link that impulses move, joint after joint: two joints may share a body.
     static void addToEnds(const IslandLanes& v, std::uint32_t link, int field, D a, D b) {
         const std::uint32_t *atA = placesOf(v, link, false), *atB = placesOf(v, link, true);
-        if constexpr (holdsJoints) {
-            for (std::uint32_t l = 0; l < v.links[link].joints; ++l) {
-                if (atA[l] < v.movedEnd) v.body[atA[l] + static_cast<std::uint32_t>(field * N)] += a[l];
-                if (atB[l] < v.movedEnd) v.body[atB[l] + static_cast<std::uint32_t>(field * N)] += b[l];
-            }
-        } else {
-            if (*atA < v.movedEnd) S{v.body + *atA}.add(field, a);
-            if (*atB < v.movedEnd) S{v.body + *atB}.add(field, b);
+        const std::size_t joints = holdsJoints ? v.links[link].joints : 1;
+        for (std::size_t l = 0; l < joints; ++l) {
+            if (atA[l] < v.movedEnd) addLane(v.body + atA[l] + field * N, a, l);
+            if (atB[l] < v.movedEnd) addLane(v.body + atB[l] + field * N, b, l);
         }
+    }
+    /// What both ends of a link get in three fields.
+    struct Push {
+        D a[3], b[3];
+    };
+    static void pushEnds(const IslandLanes& v, std::uint32_t link, int field, const Push* pushes, int count) {
+        const std::uint32_t *atA = placesOf(v, link, false), *atB = placesOf(v, link, true);
+        const std::size_t joints = holdsJoints ? v.links[link].joints : 1;
+        for (std::size_t l = 0; l < joints; ++l)
+            for (int k = 0; k < count; ++k)
+                for (int c = 0; c < 3; ++c) {
+                    if (atA[l] < v.movedEnd) addLane(v.body + atA[l] + (field + c) * N, pushes[k].a[c], l);
+                    if (atB[l] < v.movedEnd) addLane(v.body + atB[l] + (field + c) * N, pushes[k].b[c], l);
+                }
+    }
+    static void addLane(double* to, const D& value, [[maybe_unused]] std::size_t lane) {
+        if constexpr (holdsJoints)
+            *to += value[lane];
+        else
+            storeLanes(to, loadLanes<W>(static_cast<const double*>(to)) + value);
     }
     /// 1 where impulses move the body at an end, else 0.
     static D movesAt(const IslandLanes& v, std::uint32_t link, bool isB) {
