@@ -68,10 +68,10 @@ void JointBatch::kick(const BodyStore& bodies, bool correct) {
     }
     for (std::size_t lane = 0; lane < numbers.width && correct; ++lane)
         raised_[lane] = 0.5 * fallOf(lane, BodyField::Vx);
+    numbers.activateAll();
     numbers.kernel().setMasses(numbers.view, h_);
     numbers.kernel().kick(numbers.view);
     contacts.addFirstGuess(numbers, bodies);
-    numbers.activateAll();
     pushed_ = {};
 }
 
@@ -187,11 +187,14 @@ LaneFlags JointBatch::respondToContacts(BodyStore& bodies, const IslandTurn& tur
 }
 
 void JointBatch::closeGaps(BodyStore& bodies, std::size_t lane, double h, double fastest) {
+    numbers.activateOnly(lane);
     numbers.kernel().setMasses(numbers.view, h);
     setFreeVelocities();
     LaneFlags only{};
     only[lane] = 1;
+    const LaneFlags given = given_;  // what is closed here belongs to no move
     findSolution(bodies, {h, true, true, fastest}, only, 0);
+    given_ = given;
     numbers.kernel().addLoads(numbers.view);
     writeVelocities(numbers, bodies);
 }

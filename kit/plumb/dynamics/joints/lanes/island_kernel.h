@@ -256,7 +256,7 @@ struct IslandKernel {
     void (*findWork)(const IslandLanes& view);
     /// h: of the sub-step, or of the piece of it, whose half was solved [s].
     void (*noteForces)(const IslandLanes& view, double h, bool inPieces);
-    /// Finds the masses to solve for in the next sub-step of h [s].
+    /// Where a lane is active, finds the masses to solve for in the next sub-step of h [s].
     void (*setMasses)(IslandLanes& view, double h);
     /// Sets the free velocities to those after the forces of half a sub-step.
     void (*kick)(const IslandLanes& view);

@@ -31,11 +31,13 @@ struct WideStiffness : IslandItems<W, use> {
 
     static constexpr double memory = 2;  ///< in which the stiffness of a line that is no longer tight decays [s]
 
-    /// More mass at the same speed would be more energy: a body keeps its momentum.
+    /// Of active lanes. More mass at the same speed would be more energy: a body keeps its momentum.
     static void setMasses(IslandLanes& v, double h) {
+        const auto active = Items::isActive(v);
         for (std::uint32_t i = 0; i < v.movedItems; ++i) {
             const S b = bodyOf(v, i);
-            const D was = b[B::Mass], mass = larger(b[B::OwnMass], h * h * b[B::StiffAlong]);
+            const D was = b[B::Mass], needs = larger(b[B::OwnMass], h * h * b[B::StiffAlong]);
+            const D mass = active ? needs : was;
             if (!anyOf<W>(mass != was)) continue;
             v.factored = false;
             b.set(B::Mass, mass);
