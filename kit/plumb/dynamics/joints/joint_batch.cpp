@@ -127,15 +127,22 @@ void JointBatch::keepEnergy(const BodyStore& bodies, std::size_t lane, const Isl
 }
 
 /// Predicts rows from the solution until that matters no more: where joints will be after the sub-step depends on the
-/// velocities that are solved for. Where that leads nowhere, the gap that will open is closed in the next sub-steps.
+/// velocities that are solved for. Where that leads nowhere, they are predicted from the present velocities; or,
+/// if links turn far, the gap that will open is closed in the next sub-steps.
 void JointBatch::predict(const IslandTurn& turn) {
+    constexpr double far = 1e-3;  ///< see WidePlaces::keepMissed
     const IslandKernel& kernel = numbers.kernel();
     numbers.missed.fill(1);
     numbers.lost = {};
     while (kernel.predictAgain(numbers.view, turn)) kernel.solve(numbers.view);
     if (numbers.lost == LaneFlags{}) return;
+    kernel.guess(numbers.view, 0);
+    for (const bool isFar : {false, true}) {
+        for (std::size_t lane = 0; lane < numbers.width; ++lane)
+            numbers.active[lane] = (numbers.missed[lane] > far) == isFar ? numbers.lost[lane] : 0;
+        if (numbers.active != LaneFlags{}) kernel.predictHeld(numbers.view, turn, !isFar);
+    }
     numbers.active = numbers.lost;
-    kernel.dropPrediction(numbers.view, turn);
     kernel.solve(numbers.view);
 }
 

@@ -240,9 +240,8 @@ struct IslandKernel {
     /// again if that matters and comes closer to a solution, else makes the lane inactive, and lost if it does not come
     /// closer. Returns true if some lane is active.
     bool (*predictAgain)(IslandLanes& view, const IslandTurn& turn);
-    /// Where a lane is active, rows that hold shall close the gaps that there are, and do nothing about the coming
-    /// ones.
-    void (*dropPrediction)(const IslandLanes& view, const IslandTurn& turn);
+    /// Where a lane is active, predicts rows that hold from U; or, if nothing bends, they close the gaps that there are.
+    void (*predictHeld)(const IslandLanes& view, const IslandTurn& turn, bool bends);
     /// Solves for U from the free velocities, and, where a lane is active, for the impulses. Returns true if a row came
     /// to another part of its curve; it can do so where a lane is active.
     bool (*solve)(IslandLanes& view);

@@ -70,15 +70,15 @@ struct WideIslands : IslandItems<W, use> {
 
     static bool predictAgain(IslandLanes& v, const IslandTurn& turn) {
         if (!Places::keepMissed(v, turn.h)) return false;
-        Places::predict(v, turn.h);
-        for (std::uint32_t i = 0; i < v.rowCount; ++i)
-            if (v.rows[i].holds) holdRow(v, rowOf(v, i), heldSpeed(rowOf(v, i), bendOf(v, i, turn), turn));
+        predictHeld(v, turn, true);
         return true;
     }
 
-    static void dropPrediction(const IslandLanes& v, const IslandTurn& turn) {
+    static void predictHeld(const IslandLanes& v, const IslandTurn& turn, bool bends) {
+        if (bends) Places::predict(v, turn.h);
         for (std::uint32_t i = 0; i < v.rowCount; ++i)
-            if (v.rows[i].holds) holdRow(v, rowOf(v, i), heldSpeed(rowOf(v, i), D{}, turn));
+            if (v.rows[i].holds)
+                holdRow(v, rowOf(v, i), heldSpeed(rowOf(v, i), bends ? bendOf(v, i, turn) : D{}, turn));
     }
 
     /// Removes the present error, and the whole error that the sub-step would add, to any order.
@@ -277,22 +277,12 @@ struct WideIslands : IslandItems<W, use> {
 };
 
 template <int W, LaneUse use>
-const IslandKernel WideIslandKernel<W, use>::code{WidePlaces<W, use>::move,
-                                                  WidePlaces<W, use>::place,
-                                                  WidePlaces<W, use>::noteSpeeds,
-                                                  WideIslands<W, use>::guess,
-                                                  WideIslands<W, use>::prepare,
-                                                  WideIslands<W, use>::predictAgain,
-                                                  WideIslands<W, use>::dropPrediction,
-                                                  WideIslands<W, use>::solve,
-                                                  WideIslands<W, use>::solvePush,
-                                                  WideIslands<W, use>::findResponses,
-                                                  WideIslands<W, use>::accept,
-                                                  WideIslands<W, use>::addLoads,
-                                                  Elimination<W, use>::findWork,
-                                                  WideStiffness<W, use>::noteForces,
-                                                  WideStiffness<W, use>::setMasses,
-                                                  WideIslands<W, use>::kick,
-                                                  WideStiffness<W, use>::findInertias};
+const IslandKernel WideIslandKernel<W, use>::code{
+    WidePlaces<W, use>::move,           WidePlaces<W, use>::place,          WidePlaces<W, use>::noteSpeeds,
+    WideIslands<W, use>::guess,         WideIslands<W, use>::prepare,       WideIslands<W, use>::predictAgain,
+    WideIslands<W, use>::predictHeld,   WideIslands<W, use>::solve,         WideIslands<W, use>::solvePush,
+    WideIslands<W, use>::findResponses, WideIslands<W, use>::accept,        WideIslands<W, use>::addLoads,
+    Elimination<W, use>::findWork,      WideStiffness<W, use>::noteForces,  WideStiffness<W, use>::setMasses,
+    WideIslands<W, use>::kick,          WideStiffness<W, use>::findInertias};
 
 }  // namespace plumb
