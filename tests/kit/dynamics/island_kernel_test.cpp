@@ -273,6 +273,24 @@ TEST_CASE("a tree of 10,000 nodes takes at most three block updates a node", "[d
     CHECK(plumb::planBlocks(machine.moved, joints, edges, 3 * (machine.moved + joints)) != nullptr);
 }
 
+TEST_CASE("a chain between two walls is eliminated from both ends in turn", "[dynamics]") {
+    constexpr std::uint32_t bodies = 20, joints = bodies + 1;
+    std::vector<BlockPlan::Edge> edges;
+    for (std::uint32_t j = 0; j < joints; ++j) {
+        if (j > 0) edges.push_back({bodies + j, j - 1});
+        if (j < bodies) edges.push_back({bodies + j, j});
+    }
+    const auto plan = plumb::planBlocks(bodies, joints, edges, 1000, true);
+    REQUIRE(plan != nullptr);
+    std::vector<std::uint32_t> order;
+    for (const BlockPlan::Step& step : plan->steps)
+        if (step.node < bodies) order.push_back(step.node);
+    for (std::uint32_t i = 0; i + 1 < bodies / 2; ++i) {
+        CHECK(order[2 * i] == i);
+        CHECK(order[2 * i + 1] == bodies - 1 - i);
+    }
+}
+
 TEST_CASE("a net that fills in more than it may is refused", "[dynamics]") {
     Random random(4);
     const RandomMachine machine(random, 200, {.loops = 2000, .held = 0, .gears = 0});

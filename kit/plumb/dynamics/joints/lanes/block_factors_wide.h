@@ -64,6 +64,7 @@ struct BlockFactors {
     using Item = Apart<Wide<W>::doubles>;  ///< a body's or a row's
 
     static constexpr int rowsAlone = 12;  ///< where the rows of a block begin
+    static constexpr std::size_t columnsSize = isAlone ? std::size_t{rowsAlone} : BlockNumbers::beside;
 
     static constexpr D all(double value) { return D{} + value; }
 

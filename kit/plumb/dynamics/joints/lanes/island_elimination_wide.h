@@ -125,6 +125,7 @@ struct Elimination : IslandItems<W, use> {
         }
     }
 
+    /// Row after row, whatever lanes hold, as the sum must have the same bits.
     static void findWork(const IslandLanes& v) {
         Number work{};
         for (std::uint32_t i = 0; i < v.laid[v.laidCount].firstRow; ++i) {
@@ -145,8 +146,7 @@ struct Elimination : IslandItems<W, use> {
 
     static void fill(const IslandLanes& v) {
         const auto clear = [&v](std::uint32_t first, std::uint32_t end) {
-            for (std::uint32_t i = first; i < end; ++i)
-                Factors::clear(Factors::blockOf(v, i), Factors::isAlone ? 12 : 9);
+            for (std::uint32_t i = first; i < end; ++i) Factors::clear(Factors::blockOf(v, i), Factors::columnsSize);
         };
         clear(0, v.moved + v.laidCount);
         clear(v.firstFill, v.blocks);

@@ -240,7 +240,8 @@ struct IslandKernel {
     /// again if that matters and comes closer to a solution, else makes the lane inactive, and lost if it does not come
     /// closer. Returns true if some lane is active.
     bool (*predictAgain)(IslandLanes& view, const IslandTurn& turn);
-    /// Where a lane is active, predicts rows that hold from U; or, if nothing bends, they close the gaps that there are.
+    /// Where a lane is active, predicts rows that hold from U; or, if nothing bends, they close the gaps that there
+    /// are.
     void (*predictHeld)(const IslandLanes& view, const IslandTurn& turn, bool bends);
     /// Solves for U from the free velocities, and, where a lane is active, for the impulses. Returns true if a row came
     /// to another part of its curve; it can do so where a lane is active.
@@ -252,6 +253,7 @@ struct IslandKernel {
     /// Where a lane is active: sets V to U; adds the impulses to the loads; notes the stiffness by the forces.
     void (*accept)(const IslandLanes& view);
     void (*addLoads)(const IslandLanes& view);
+    /// Of rows that hold, in the last solution (see island_energy.h).
     void (*findWork)(const IslandLanes& view);
     /// h: of the sub-step, or of the piece of it, whose half was solved [s].
     void (*noteForces)(const IslandLanes& view, double h, bool inPieces);

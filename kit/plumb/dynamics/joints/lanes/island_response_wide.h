@@ -25,7 +25,7 @@ struct Response {
 
     static void find(IslandLanes& v) {
         Elimination<W, use>::makeFactors(v);
-        for (std::uint32_t i = 0; i < v.blocks; ++i) Factors::clear(inverseOf(v, i), Factors::isAlone ? 12 : 9);
+        for (std::uint32_t i = 0; i < v.blocks; ++i) Factors::clear(inverseOf(v, i), Factors::columnsSize);
         for (std::uint32_t k = v.stepCount; k-- > 0;) invert(v, k);
         for (std::uint32_t i = 0; i < v.moved; ++i) bound(Factors::bodyAt(v, i), inverseOf(v, i));
     }
@@ -40,7 +40,7 @@ struct Response {
             if (update.left != update.right)
                 subtractProduct<true>(inverseOf(v, update.right), known, blockOf(v, update.left));
         }
-        for (int c = 0; c < (Factors::isAlone ? 12 : 9); ++c) own.set(c, inverse[c]);
+        for (int c = 0; c < static_cast<int>(Factors::columnsSize); ++c) own.set(c, inverse[c]);
         for (std::uint32_t l = v.steps[k].firstLower; l < v.steps[k + 1].firstLower; ++l)
             subtractProduct<true>(own, blockOf(v, v.lowers[l].block), inverseOf(v, v.lowers[l].block));
     }
