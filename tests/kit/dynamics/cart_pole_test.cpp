@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
@@ -67,4 +68,32 @@ TEST_CASE("a light cart under a pendulum gains no energy, however coarse the ste
         gaining += gain > 2e-3 ? 1 : 0;
     }
     CHECK(gaining <= 0.02 * runs);
+}
+
+TEST_CASE("two balls on rods to a light link between them keep their momentum when they are thrown",
+          "[dynamics][joints][law]") {
+    for (const double light : {1.0, 1e-2, 1e-4})
+        for (const double spin : {1.0, 10.0, 60.0}) {
+            CAPTURE(light, spin);
+            World world({.gravity = {0, 0}, .sleeping = false});
+            std::vector<BodyId> balls;
+            for (const double x : {0.0, 1.0, 2.0}) {
+                const double mass = x == 1 ? light : 1;
+                balls.push_back(world.add(
+                    {.position = {x, 0}, .velocity = {5, spin * x}, .mass = Mass{mass, {0, 0}, 1e-2 * mass}}));
+            }
+            for (std::size_t i = 0; i < 2; ++i)
+                world.join(DistanceJointDef{.bodyA = balls[i],
+                                            .bodyB = balls[i + 1],
+                                            .anchorA = world.body(balls[i]).position(),
+                                            .anchorB = world.body(balls[i + 1]).position()});
+            const auto momentum = [&] {
+                Vec2 sum(0, 0);
+                for (const BodyId ball : balls) sum += world.body(ball).mass() * world.body(ball).velocity();
+                return sum;
+            };
+            const Vec2 start = momentum();
+            for (int tick = 0; tick < 300; ++tick) world.step(1.0 / 60);
+            CHECK((momentum() - start).norm() < 1e-9 * start.norm());
+        }
 }

@@ -35,6 +35,7 @@ void showLayout(IslandLanes& view, const IslandLayout& layout, const IslandBundl
     view.blocks = layout.blocks;
     view.firstFill = layout.firstFill;
     view.someFree = layout.someFree;
+    view.isHeld = layout.bodies > layout.moved;
     view.compliance = layout.isTree ? 0 : relativeCompliance;
     view.slack = layout.isTree ? treeCompliance : 0;
 }

@@ -194,6 +194,7 @@ struct IslandLanes {
     const IslandShape::Update* updates = nullptr;
     std::uint32_t moved = 0, laidCount = 0, stepCount = 0, blocks = 0, firstFill = 0;
     bool someFree = false;
+    bool isHeld = false;  ///< by bodies that impulses do not move
 
     double* body = nullptr;
     double* link = nullptr;

@@ -31,7 +31,8 @@ struct WideStiffness : IslandItems<W, use> {
 
     static constexpr double memory = 2;  ///< in which the stiffness of a line that is no longer tight decays [s]
 
-    /// Of active lanes. More mass at the same speed would be more energy: a body keeps its momentum.
+    /// Of active lanes. More mass at the same speed would be more energy: a body keeps its momentum. Not in an island
+    /// that nothing holds: there all bodies together must keep the momentum that their own masses have.
     static void setMasses(IslandLanes& v, double h) {
         const auto active = Items::isActive(v);
         for (std::uint32_t i = 0; i < v.movedItems; ++i) {
@@ -41,6 +42,7 @@ struct WideStiffness : IslandItems<W, use> {
             if (!anyOf<W>(mass != was)) continue;
             v.factored = false;
             b.set(B::Mass, mass);
+            if (!v.isHeld) continue;
             const D kept = mass > was ? was / mass : all(1);
             b.set(B::Vx, b[B::Vx] * kept);
             b.set(B::Vy, b[B::Vy] * kept);
