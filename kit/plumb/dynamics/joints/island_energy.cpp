@@ -29,16 +29,18 @@ struct Node {
 
 enum class Masses { Own, Solved };
 
-/// Calls visit(number, node) for each body that impulses move.
+/// Calls visit(number, node) for each body that impulses move. Where the world wraps, each is taken beside the one
+/// before it: a machine may lie across a seam.
 template <class Visit>
 void forEachNode(const IslandNumbers& numbers, const BodyStore& bodies, std::size_t lane, Masses masses,
                  Visit&& visit) {
+    Vec2 center = bodies.motion[numbers.movedBody(0, lane)].center;
     for (std::size_t n = 0; n < numbers.layout->moved; ++n) {
         const auto at = [&](int field) { return numbers.body(n, field, lane); };
         const bool own = masses == Masses::Own;
-        visit(n, Node{bodies.motion[numbers.movedBody(n, lane)].center + Vec2(at(BodyField::X), at(BodyField::Y)),
-                      Vec2(at(BodyField::Vx), at(BodyField::Vy)), at(BodyField::Spin),
-                      at(own ? BodyField::OwnMass : BodyField::Mass),
+        center = bodies.near(bodies.motion[numbers.movedBody(n, lane)].center, center);
+        visit(n, Node{center + Vec2(at(BodyField::X), at(BodyField::Y)), Vec2(at(BodyField::Vx), at(BodyField::Vy)),
+                      at(BodyField::Spin), at(own ? BodyField::OwnMass : BodyField::Mass),
                       at(own ? BodyField::OwnInertia : BodyField::Inertia)});
     }
 }
@@ -48,7 +50,8 @@ RigidMotion rigidMotionOf(const IslandNumbers& numbers, const BodyStore& bodies,
     const JointIsland& island = *numbers.islands[lane];
     if (!island.held.empty()) {
         const BodyMotion& held = bodies.motion[island.held.front()];
-        return {held.center, held.velocity, held.angularVelocity};
+        const Vec2 first = bodies.motion[numbers.movedBody(0, lane)].center;
+        return {bodies.near(held.center, first), held.velocity, held.angularVelocity};
     }
     RigidMotion rigid;
     double mass = 0, inertia = 0;
